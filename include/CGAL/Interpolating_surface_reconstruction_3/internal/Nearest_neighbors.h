@@ -1,0 +1,208 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_NEAREST_NEIGHBORS_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_NEAREST_NEIGHBORS_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Neighbors of the points of one octree leaf by increasing distance. The points of a leaf share the
+// candidates, which are gathered once around the leaf's box; the box grows only for the points that
+// ask for more. One object serves one thread; its buffers are kept from leaf to leaf.
+class Nearest_neighbors
+{
+public:
+  // No point farther than `maximum_radius` is a neighbor.
+  Nearest_neighbors(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
+    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius)
+  { }
+
+  // Indices of the neighbors that were passed last.
+  const std::vector<Point_index>& indices() const { return m_indices; }
+
+  // Calls visit(p, neighborhood) for each point p of the leaf with its `size` nearest neighbors, and
+  // again with twice as many as long as it returns false, up to `maximum_size` or all there are.
+  template <typename Visit>
+  void for_each_point(const Point_octree_3::Node& leaf, std::size_t size, std::size_t maximum_size, Visit visit)
+  {
+    m_pending.clear();
+    for (Point_index p = leaf.begin; p != leaf.end; ++p)
+      m_pending.push_back(Request{ p, size });
+    const double spacing = typical_spacing(leaf);
+    // a disc of this radius holds `size` points at this spacing
+    double radius = spacing * std::sqrt(double(size) / CGAL_PI) * GATHERING_MARGIN;
+    m_squared_guess = radius * radius;
+    for (bool is_exhaustive = false; !m_pending.empty(); radius *= 2) {
+      const double gathered = (std::min)(radius, m_maximum_radius);
+      const Local_box box = leaf.box.enlarged(gathered);
+      gather(leaf, box);
+      is_exhaustive = box.contains(m_octree.node(0).box) || gathered == m_maximum_radius || !(radius > 0.);
+      std::size_t kept = 0;
+      for (Request request : m_pending)
+        if (!serve(request, leaf, box, is_exhaustive, maximum_size, visit))
+          m_pending[kept++] = request;
+      m_pending.resize(is_exhaustive ? 0 : kept);
+    }
+  }
+
+private:
+  struct Request { Point_index point; std::size_t size; };
+
+  // Measured: smaller margins gather twice too often, larger ones too many candidates.
+  static constexpr double GATHERING_MARGIN = 1.2;
+
+  // Spacing of the points around the leaf, as if they covered a rectangle of its parent's box.
+  double typical_spacing(const Point_octree_3::Node& leaf) const
+  {
+    const Point_octree_3::Node& parent = m_octree.node(leaf.parent);
+    double side[3];
+    for (std::size_t a = 0; a != 3; ++a)
+      side[a] = parent.box.high[a] - parent.box.low[a];
+    std::sort(side, side + 3);
+    return (std::max)(std::sqrt(side[1] * side[2] / (parent.end - parent.begin)),
+                      side[2] / (parent.end - parent.begin));
+  }
+
+  // Coordinates relative to the leaf in single precision: they only rank.
+  void gather(const Point_octree_3::Node& leaf, const Local_box& box)
+  {
+    m_candidates.clear();
+    m_octree.for_each_leaf_overlapping(box, m_stack, [&](const Point_octree_3::Node& n) {
+      for (Point_index i = n.begin; i != n.end; ++i)
+        m_candidates.push_back(i);
+    });
+    const std::size_t n = m_candidates.size();
+    m_x.resize(n); m_y.resize(n); m_z.resize(n); m_squared_distances.resize(n);
+    for (std::size_t i = 0; i != n; ++i) {
+      const Local_point& p = m_points[m_candidates[i]];
+      m_x[i] = float(p.x() - leaf.box.low[0]);
+      m_y[i] = float(p.y() - leaf.box.low[1]);
+      m_z[i] = float(p.z() - leaf.box.low[2]);
+    }
+  }
+
+  // False if the candidates do not reach far enough.
+  template <typename Visit>
+  bool serve(Request& request, const Point_octree_3::Node& leaf, const Local_box& box, bool is_exhaustive,
+             std::size_t maximum_size, Visit& visit)
+  {
+    const Local_point& p = m_points[request.point];
+    double reach = is_exhaustive ? m_maximum_radius : (std::numeric_limits<double>::max)();
+    if (!is_exhaustive)
+      for (std::size_t a = 0; a != 3; ++a)
+        reach = (std::min)({ reach, p[int(a)] - box.low[a], box.high[a] - p[int(a)] });
+    compute_squared_distances(p, leaf);
+    while (true) {
+      const std::size_t found = select(request, reach * reach);
+      if (found < request.size && !is_exhaustive)
+        return false;
+      const std::size_t used = (std::min)(found, request.size);
+      const double squared_radius = copy_offsets(p, used, found < request.size ? reach * reach : 0.);
+      if (visit(request.point, Star_neighborhood(m_offsets.data(), used, squared_radius)) ||
+          request.size >= maximum_size || used < request.size)
+        return true;
+      request.size = (std::min)(2 * request.size, maximum_size);
+    }
+  }
+
+  void compute_squared_distances(const Local_point& p, const Point_octree_3::Node& leaf)
+  {
+    const float x = float(p.x() - leaf.box.low[0]), y = float(p.y() - leaf.box.low[1]),
+                z = float(p.z() - leaf.box.low[2]);
+    const std::size_t n = m_candidates.size();
+    const float* const xs = m_x.data();
+    const float* const ys = m_y.data();
+    const float* const zs = m_z.data();
+    float* const squared = m_squared_distances.data();
+    for (std::size_t i = 0; i != n; ++i) {
+      const float dx = xs[i] - x, dy = ys[i] - y, dz = zs[i] - z;
+      squared[i] = dx * dx + dy * dy + dz * dz;
+    }
+  }
+
+  // Sorts the nearest candidates but the point itself into m_nearest, at most request.size of them.
+  // Returns how many there are within the radius, or request.size.
+  std::size_t select(const Request& request, double squared_reach)
+  {
+    std::size_t found = collect((std::min)(m_squared_guess, squared_reach), request.point);
+    if (found < request.size)
+      found = collect(squared_reach, request.point);
+    if (found > request.size) {
+      std::nth_element(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(request.size), m_nearest.begin() + std::ptrdiff_t(found));
+      found = request.size;
+    }
+    std::sort(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(found));
+    return found;
+  }
+
+  // A key is the distance, then the position among the candidates, whose order is canonical: the bits
+  // of a non-negative float sort like the float.
+  std::size_t collect(double squared_radius, Point_index center)
+  {
+    const float bound = float(squared_radius);
+    m_nearest.resize(m_candidates.size());
+    std::size_t found = 0;
+    for (std::size_t i = 0; i != m_candidates.size(); ++i) {
+      std::uint32_t bits;
+      std::memcpy(&bits, &m_squared_distances[i], sizeof bits);
+      m_nearest[found] = (std::uint64_t(bits) << 32) | m_candidates[i];
+      found += (m_squared_distances[i] <= bound && m_candidates[i] != center) ? 1 : 0;
+    }
+    return found;
+  }
+
+  // Returns the square of the radius that the offsets cover, at least `squared_radius`.
+  double copy_offsets(const Local_point& p, std::size_t n, double squared_radius)
+  {
+    m_offsets.clear();
+    m_indices.clear();
+    for (std::size_t i = 0; i != n; ++i) {
+      const Point_index index = static_cast<Point_index>(m_nearest[i]);
+      m_indices.push_back(index);
+      m_offsets.push_back(m_points[index] - p);
+    }
+    return n == 0 ? squared_radius : (std::max)(squared_radius, m_offsets.back().squared_length());
+  }
+
+  const std::vector<Local_point>& m_points;
+  const Point_octree_3& m_octree;
+  double m_maximum_radius;
+  double m_squared_guess = 0.;
+  std::vector<Request> m_pending;
+  std::vector<std::uint32_t> m_stack;
+  std::vector<Point_index> m_candidates;
+  std::vector<float> m_x, m_y, m_z, m_squared_distances;
+  std::vector<std::uint64_t> m_nearest;
+  std::vector<Point_index> m_indices;
+  std::vector<Local_vector> m_offsets;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_NEAREST_NEIGHBORS_H
