@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -150,57 +151,71 @@ private:
   // The third vertex of the most regular triangle at the edge from P0 to `end`.
   Neighbor most_regular(Neighbor end, const Subspace& subspace) const
   {
+    const double length = std::sqrt(m_neighbors[end].squared_length());
     Neighbor result = NONE;
-    double best = LEAST_REGULARITY;
+    double best = LEAST_REGULARITY, squared_reach = (std::numeric_limits<double>::max)();
     for (Neighbor i = 0; i != m_neighbors.size(); ++i) {
+      if (m_neighbors[i].squared_length() > squared_reach)
+        break;
       if (!is_candidate(i, end, subspace))
         continue;
       const double r = regularity(CENTER, m_neighbors[end], m_neighbors[i]);
       if (r > best) {
         best = r;
         result = i;
+        squared_reach = square(length / sine_of_least_angle(r));
       }
     }
     return result;
   }
 
-  // Starting with Pk, looks at the points closer to the edge, closest first, as third vertices.
+  // A triangle of this regularity or a higher one has no smaller angle: the other two angles
+  // contribute 2 sin(angle / 2) at most, so that cos(angle) + 2 sin(angle / 2) >= regularity. By
+  // the law of sines a side is at most 1 / sin(angle) times as long as another.
+  static double sine_of_least_angle(double regularity)
+  {
+    const double sine_of_half = (1. - std::sqrt((std::max)(0., 3. - 2. * regularity))) / 2.;
+    return 2. * sine_of_half * std::sqrt(1. - sine_of_half * sine_of_half);
+  }
+
+  // Starting with Pk, looks at the points closer to the edge as third vertices: approaching the edge
+  // point by point makes far more stars agree than looking at the closest point first.
   Neighbor closest_fitting(Neighbor end, Neighbor pk, const Subspace& subspace) const
   {
-    double seen = 0.;
+    double distance = distance_to_edge(end, pk);
     while (true) {
-      const Neighbor p2 = next_closer(end, pk, subspace, seen);
+      const Neighbor p2 = next_closer(end, distance, subspace);
       if (p2 == NONE)
         return pk;
       if (is_second_preferred(end, pk, p2))
         pk = p2;
-      seen = distance_to_edge(end, p2);
+      distance = distance_to_edge(end, p2);
     }
   }
 
-  // The candidate that is closest to the edge among those farther than `seen`, but closer than `pk`.
-  Neighbor next_closer(Neighbor end, Neighbor pk, const Subspace& subspace, double seen) const
+  // The candidate that is farthest from the edge among those closer than `distance`.
+  Neighbor next_closer(Neighbor end, double distance, const Subspace& subspace) const
   {
-    Neighbor result = NONE;
-    double closest = distance_to_edge(end, pk);
     const double length = std::sqrt(m_neighbors[end].squared_length());
+    Neighbor result = NONE;
+    double farthest = 0.;
     for (Neighbor i = 0; i != m_neighbors.size(); ++i) {
-      // The triangle inequality: neighbors from here on are not closer.
-      if (2 * std::sqrt(m_neighbors[i].squared_length()) - length > closest)
+      // By the triangle inequality the points from here on are too far.
+      if (2. * std::sqrt(m_neighbors[i].squared_length()) - length > distance)
         break;
-      if (i == pk || !is_candidate(i, end, subspace))
+      if (!is_candidate(i, end, subspace))
         continue;
-      const double distance = distance_to_edge(end, i);
-      if (distance > seen && distance < closest &&
+      const double d = distance_to_edge(end, i);
+      if (d > farthest && d < distance &&
           regularity(CENTER, m_neighbors[end], m_neighbors[i]) > LEAST_REGULARITY) {
-        closest = distance;
+        farthest = d;
         result = i;
       }
     }
     return result;
   }
 
-  // Eq. 3.13
+  // The sum of distances in Eq. 3.13.
   double distance_to_edge(Neighbor end, Neighbor i) const
   {
     return std::sqrt(m_neighbors[i].squared_length()) +
