@@ -78,10 +78,10 @@ private:
       .enlarged(cell.size * ROUNDING);
   }
 
-  // The cube around the center of the leaf's tight box. Its half side is the distance to the nearest
-  // corner of the cell, as drawn in Fig. 4.6, but at least the distance to the corners of the box,
-  // as the text of 4.3.2 also may be read: the former alone would shrink a box whose center is
-  // near a corner of the cell, and cut the leaf off.
+  // The cube around the center of the leaf's tight box. Its half side, not its side as one may also
+  // read 4.3.2, is twice the distance from the center to the nearest corner of the cell, which counts
+  // at least as far as the corners of the box. Half of it cuts leaves off where points and
+  // cells are aligned, because the gap between two boxes is then wider than what they gain.
   static Local_box enlarged_box(const Point_octree_3::Node& leaf)
   {
     double squared_to_box = 0., squared_to_cell = 0.;
@@ -94,7 +94,7 @@ private:
       squared_to_box += to_box * to_box;
       squared_to_cell += to_cell * to_cell;
     }
-    return Local_box{ center, center }.enlarged(std::sqrt((std::max)(squared_to_box, squared_to_cell)));
+    return Local_box{ center, center }.enlarged(2. * std::sqrt((std::max)(squared_to_box, squared_to_cell)));
   }
 
   // Points of the leaf and of its neighbors.

@@ -28,7 +28,7 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // A `Location` below is a Local_point, or a Local_vector from an origin that all arguments share.
-// No measure returns NaN for finite arguments: a degenerate triangle gets the worst value.
+// No measure of the positions of a cloud is NaN: a degenerate triangle gets the worst value.
 
 // Cosine of the angle between two vectors; 0 if one of them is zero and there is no angle.
 inline double cosine(const Local_vector& u, const Local_vector& v)
