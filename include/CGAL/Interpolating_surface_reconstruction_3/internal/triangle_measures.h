@@ -38,6 +38,9 @@ inline double cosine(const Local_vector& u, const Local_vector& v)
   return lengths > 0. ? (std::min)(1., (std::max)(-1., u * v / lengths)) : 0.;
 }
 
+// Eq. 3.10, 3.11: the regularity of an equilateral triangle.
+constexpr double MAXIMUM_REGULARITY = 1.5;
+
 // Eq. 3.1: the sum of the cosines of the angles of a triangle. It is 1.5 if all sides are equal, 1 if
 // the triangle is degenerate, and 0 if its vertices coincide.
 template <typename Location>
