@@ -10,8 +10,8 @@ using ISR::Star_neighborhood;
 using ISR::internal::Nearest_neighbors;
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-// Neighbors are ranked in single precision.
-constexpr double TOLERANCE = 1e-5;
+// Neighbors are ranked in single precision, to four digits at least.
+constexpr double TOLERANCE = 1e-4;
 
 // Compares a neighborhood with all distances.
 void check(const Indexed_points& indexed, Point_index p, const Star_neighborhood& n,
