@@ -150,11 +150,12 @@ struct Indexed_points
   const Point_octree_3 octree;
 };
 
-// The links of all stars, as indices of points or GAP, with the stars' normals.
+// The links of all stars, as indices of points or GAP, with the stars' normals and certainty.
 struct Stars
 {
   std::vector<std::vector<Point_index>> links;
   std::vector<Local_vector> normals;
+  std::vector<bool> certain;
 
   bool is_closed(std::size_t p) const
   {
@@ -185,6 +186,7 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
   Stars result;
   result.links.resize(indexed.points.size());
   result.normals.resize(indexed.points.size());
+  result.certain.resize(indexed.points.size());
   Neighborhoods neighborhoods(indexed.points, indexed.octree, std::numeric_limits<double>::infinity());
   ISR::Point_star star;
   for (std::uint32_t leaf : indexed.octree.leaves())
@@ -197,6 +199,7 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
         for (std::uint32_t i : star.link)
           result.links[p].push_back(i == GAP ? NO_POINT : neighborhoods.indices()[i]);
         result.normals[p] = star.normal;
+        result.certain[p] = is_certain;
         return is_certain;
       });
   return result;
