@@ -168,7 +168,8 @@ struct Stars
     std::map<std::array<Point_index, 3>, int> votes;
     for (std::size_t p = 0; p != links.size(); ++p)
       for (std::size_t i = 0; i != links[p].size(); ++i) {
-        std::array<Point_index, 3> t = { Point_index(p), links[p][i], links[p][(i + 1) % links[p].size()] };
+        std::array<Point_index, 3> t = { Point_index(p), links[p][i],
+                                         links[p][(i + 1) % links[p].size()] };
         std::sort(t.begin(), t.end());
         if (t[2] != GAP)
           ++votes[t];
@@ -187,7 +188,8 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
   result.links.resize(indexed.points.size());
   result.normals.resize(indexed.points.size());
   result.certain.resize(indexed.points.size());
-  Neighborhoods neighborhoods(indexed.points, indexed.octree, std::numeric_limits<double>::infinity());
+  Neighborhoods neighborhoods(indexed.points, indexed.octree,
+                              std::numeric_limits<double>::infinity());
   ISR::Point_star star;
   for (std::uint32_t leaf : indexed.octree.leaves())
     neighborhoods.for_each_point(

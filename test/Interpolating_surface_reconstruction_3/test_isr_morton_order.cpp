@@ -35,7 +35,8 @@ void test_key()
   assert(key(Local_point(-1e-9, 0, 0)) == 0);
   assert(key(Local_point(2, 2, 2)) == (std::uint64_t(1) << 63) - 1);
   for (unsigned int octant = 0; octant != 8; ++octant) {
-    const std::uint64_t k = key(Local_point(octant & 1u ? .75 : .25, octant & 2u ? .75 : .25, octant & 4u ? .75 : .25));
+    const std::uint64_t k =
+        key(Local_point(octant & 1u ? .75 : .25, octant & 2u ? .75 : .25, octant & 4u ? .75 : .25));
     assert(Morton_key::octant(k, 0) == octant);
     assert(Morton_key::octant(k, 1) == 7);
     assert(Morton_key::octant(k, 2) == 0);
@@ -49,7 +50,8 @@ void test_key()
 
 void test_bounding_cube()
 {
-  const std::vector<Local_point> points = { Local_point(1, 5, -2), Local_point(3, 5, -7), Local_point(2, 6, 0) };
+  const std::vector<Local_point> points = { Local_point(1, 5, -2), Local_point(3, 5, -7),
+                                            Local_point(2, 6, 0) };
   const Octree_cube cube = bounding_cube(points.begin(), points.end());
   assert((cube.origin == std::array<double, 3>{ 1., 5., -7. }) && cube.size == 7.);
   assert(bounding_cube(points.begin(), points.begin() + 1).size == 0.);

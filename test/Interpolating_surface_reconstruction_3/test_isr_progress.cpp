@@ -21,7 +21,10 @@ struct Recording_visitor : ISR_visitor
   std::size_t polls = 0, polls_before_cancel = std::size_t(-1);
 
   void on_stage_begin(Stage stage) { events.emplace_back(stage, -1); }
-  void on_stage_end(Stage stage, std::size_t items) { events.emplace_back(stage, std::ptrdiff_t(items)); }
+  void on_stage_end(Stage stage, std::size_t items)
+  {
+    events.emplace_back(stage, std::ptrdiff_t(items));
+  }
   bool go_further() { return ++polls <= polls_before_cancel; }
 };
 
@@ -47,15 +50,22 @@ void test_monotone()
 {
   std::vector<double> values;
   Recording_visitor visitor;
-  Progress<Recording_visitor> progress([&](double v) { values.push_back(v); return true; }, visitor);
+  Progress<Recording_visitor> progress(
+      [&](double v) {
+        values.push_back(v);
+        return true;
+      },
+      visitor);
   run(progress);
   assert(progress.finish() && !progress.is_cancelled());
   check_monotone(values);
   assert(values.front() == 0. && values.back() == 1. && values.size() > 40);
   assert(visitor.events.size() == 8 && &progress.visitor() == &visitor);
   const std::vector<std::pair<Stage, std::ptrdiff_t>> expected = {
-    { Stage::INDEXING, -1 }, { Stage::INDEXING, 10 }, { Stage::STARS, -1 }, { Stage::STARS, 10 },
-    { Stage::GROWING, -1 }, { Stage::GROWING, 10 }, { Stage::ORIENTATION, -1 }, { Stage::ORIENTATION, 10 } };
+    { Stage::INDEXING, -1 },    { Stage::INDEXING, 10 },   { Stage::STARS, -1 },
+    { Stage::STARS, 10 },       { Stage::GROWING, -1 },    { Stage::GROWING, 10 },
+    { Stage::ORIENTATION, -1 }, { Stage::ORIENTATION, 10 }
+  };
   assert(visitor.events == expected);
 }
 
