@@ -4,6 +4,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>
@@ -144,20 +145,26 @@ void test_far_from_origin()
   }
 }
 
-// Where a shift would round, there is none.
+// Differences of positions are exactly the differences of the points, also where a shift to the
+// center would round.
 void test_positions_are_exact()
 {
-  for (double offset : { 0., .3, 1., 5., 1000. }) {
-    std::vector<Point_3> points = random_points(100, 4);
-    for (Point_3& p : points)
-      p = Point_3(p.x() + offset, p.y(), p.z() * 1e-8);
+  using Exact = CGAL::Exact_rational;
+  for (double offset : { 0., .1, .3, 1., 5., 1000. }) {
+    Random random(4);
+    std::vector<Point_3> points;
+    for (int i = 0; i != 60; ++i) {
+      // all bits of the mantissa in use
+      const double x = random(0, 1) / 3 + offset, y = random(1, 4) / 7, z = -random(1, 9) / 11;
+      points.emplace_back(x, y, z * 1e-8);
+    }
     const Cloud cloud = cloud_of(points);
+    const Exact unit(cloud.local_length(1.));
     for (Point_index i = 0; i != cloud.size(); ++i)
-      for (int a = 0; a != 3; ++a) {
-        // the difference of the two roundings is zero as long as the shift is the same for all
-        const double shift = cloud.local_length(cloud.point(0)[a]) - cloud.position(0)[a];
-        assert(cloud.position(i)[a] + shift == cloud.local_length(cloud.point(i)[a]));
-      }
+      for (Point_index j = 0; j != i; ++j)
+        for (int a = 0; a != 3; ++a)
+          assert(Exact(cloud.position(i)[a]) - Exact(cloud.position(j)[a]) ==
+                 (Exact(cloud.point(i)[a]) - Exact(cloud.point(j)[a])) * unit);
   }
 }
 

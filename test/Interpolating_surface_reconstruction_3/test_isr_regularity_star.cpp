@@ -61,6 +61,9 @@ void test_hexagonal_patch()
     } else if (expected.size() < 5) {
       assert(std::count(stars.links[p].begin(), stars.links[p].end(), GAP) == 1);
     }
+    // open or not, the star goes all the way around
+    for (Point_index q : expected)
+      assert(std::count(stars.links[p].begin(), stars.links[p].end(), q) == 1);
     assert(std::abs(std::abs(stars.normals[p] * tilted_plane_normal()) - 1.) < 1e-9);
     assert(is_counterclockwise(indexed, stars, p));
   }
