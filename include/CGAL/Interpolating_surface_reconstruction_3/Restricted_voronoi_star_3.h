@@ -16,6 +16,8 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+#include <cstdlib>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -44,6 +46,20 @@ public:
   }
 
   std::size_t size() const { return m_size; }
+  // The vertex where a x + b y is largest, and that value.
+  std::size_t farthest_vertex(double a, double b, double& value) const
+  {
+    std::size_t result = 0;
+    value = a * m_vertices[0].x + b * m_vertices[0].y;
+    for (std::size_t i = 1; i != m_size; ++i) {
+      const double v = a * m_vertices[i].x + b * m_vertices[i].y;
+      if (v > value) {
+        value = v;
+        result = i;
+      }
+    }
+    return result;
+  }
   std::uint32_t maker(std::size_t i) const { return m_vertices[i].maker; }
 
   double squared_radius() const
@@ -170,7 +186,7 @@ public:
     return clip(neighborhood, star);
   }
 
-  static inline std::size_t INITIAL_NEIGHBORS = 16, MAXIMUM_NEIGHBORS = 64, NORMAL_NEIGHBORS = 16;
+  static inline std::size_t INITIAL_NEIGHBORS = 16, MAXIMUM_NEIGHBORS = 64, NORMAL_NEIGHBORS = std::getenv("NK") ? std::atoi(std::getenv("NK")) : 16;
   static inline int REESTIMATE = 1;
 
 private:
@@ -213,10 +229,81 @@ private:
       if (polygon.clip(d * u, d * v, squared_length / 2, static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
     }
+    if (MODE != 0) settle(neighborhood, polygon, u, v, 4. * squared_radius, star); else
     for (std::size_t i = 0; i != polygon.size(); ++i)
       if (polygon.maker(i) != Point_star::GAP || star.link.empty() || star.link.back() != Point_star::GAP)
         star.link.push_back(polygon.maker(i));
     return neighborhood.squared_radius() >= 4. * squared_radius;
+  }
+
+  static inline int MODE = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 1;
+  static inline double DELTA = std::getenv("DELTA") ? std::atof(std::getenv("DELTA")) : .4;
+
+  static double cot(const Vector_3& u, const Vector_3& v)
+  {
+    return (u * v) / std::sqrt(cross_product(u, v).squared_length());
+  }
+  static double reg(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+  {
+    return internal::regularity(a, b, c);
+  }
+  // whether diagonal p r is better than q s; p is the origin
+  static Vector_3 stretched(const Vector_3& d)
+  {
+    const double along = 1e-9 * (0.36 * d.x() + 0.48 * d.y() + 0.8 * d.z());
+    return Vector_3(d.x() + 0.36 * along, d.y() + 0.48 * along, d.z() + 0.8 * along);
+  }
+  static bool prefers(const Vector_3& q0, const Vector_3& r0, const Vector_3& s0)
+  {
+    const Vector_3 p(0, 0, 0), q = stretched(q0), r = stretched(r0), s = stretched(s0);
+    if (MODE == 1)
+      return cot(p - q, r - q) + cot(r - s, p - s) > cot(q, s) + cot(q - r, s - r);
+    return (std::min)(reg(p, q, r), reg(p, r, s)) > (std::min)(reg(p, q, s), reg(q, r, s));
+  }
+
+  static void settle(const Star_neighborhood& n, const internal::Clipped_polygon& polygon, const Vector_3& u, const Vector_3& v, double limit, Point_star& star)
+  {
+    struct Near { std::uint32_t neighbor; double value; };
+    std::array<Near, 80> near;
+    for (std::size_t i = 0; i != polygon.size(); ++i) near[i] = Near{ Point_star::GAP, 1. - DELTA };
+    for (std::size_t i = 0; i != n.size(); ++i) {
+      const Vector_3& d = n[i];
+      const double sl = d.squared_length();
+      if (sl * (1. - DELTA) * (1. - DELTA) >= limit) break;
+      bool in = false;
+      for (std::size_t k = 0; k != polygon.size(); ++k) in = in || polygon.maker(k) == i;
+      if (in) continue;
+      double value;
+      const std::size_t k = polygon.farthest_vertex(d * u, d * v, value);
+      value /= sl / 2;
+      if (value > near[k].value) near[k] = Near{ static_cast<std::uint32_t>(i), value };
+    }
+    auto& link = star.link;
+    for (std::size_t i = 0; i != polygon.size(); ++i) {
+      const std::uint32_t q = polygon.maker(i == 0 ? polygon.size() - 1 : i - 1), s = polygon.maker(i), r = near[i].neighbor;
+      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && prefers(n[q], n[r], n[s]))
+        link.push_back(r);
+      if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
+        link.push_back(s);
+    }
+    for (std::size_t i = 0; i != link.size() && link.size() > 3; ) {
+      const std::uint32_t q = link[i == 0 ? link.size() - 1 : i - 1], r = link[i], s = link[i + 1 == link.size() ? 0 : i + 1];
+      if (q != Point_star::GAP && r != Point_star::GAP && s != Point_star::GAP) {
+        // convex in the tangent plane, and r near the circle of p, q, s
+        const double qx = n[q] * u, qy = n[q] * v, rx = n[r] * u, ry = n[r] * v, sx = n[s] * u, sy = n[s] * v;
+        const double det = qx * sy - qy * sx;
+        const double beyond = (sx - qx) * (ry - qy) - (sy - qy) * (rx - qx);
+        if (det > 0. && beyond < 0.) {
+          const double cq = n[q].squared_length() / 2, cs = n[s].squared_length() / 2, cr = n[r].squared_length() / 2;
+          const double x = (cq * sy - cs * qy) / det, y = (qx * cs - sx * cq) / det;
+          if (rx * x + ry * y < cr * (1. + DELTA) && !prefers(n[q], n[r], n[s])) {
+            link.erase(link.begin() + std::ptrdiff_t(i));
+            continue;
+          }
+        }
+      }
+      ++i;
+    }
   }
 
   static void tangent_frame(const Vector_3& n, Vector_3& u, Vector_3& v)
