@@ -24,9 +24,10 @@ namespace {
 
 void check_distinct_files(const isr::Command_line& arguments)
 {
+  namespace fs = std::filesystem;
   const auto are_same = [](const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() &&
-           std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+           fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
   };
   if (are_same(arguments.input, arguments.output) || are_same(arguments.input, arguments.stats) ||
       are_same(arguments.output, arguments.stats))
