@@ -1,0 +1,189 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Compares CTC with CGAL's advancing front on the same points in the same process.
+
+#include "comparison_report.h"
+#include "mesh_statistics.h"
+#include "model_files.h"
+#include "peak_memory.h"
+#include "reconstruction_methods.h"
+#include "self_intersections.h"
+#include "surface_metrics.h"
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace isr_benchmark;
+
+struct Options
+{
+  Method_options method;
+  std::vector<Method> methods;
+  std::size_t runs = 3;
+  std::size_t intersection_limit = 200000;
+  bool with_metrics = true;
+  bool measure_memory = false;
+  std::string csv_file;
+  std::vector<std::string> paths;
+};
+
+const char* const usage =
+  "usage: isr_compare [options] FILE_OR_FOLDER...\n"
+  "       isr_compare [options] --memory METHOD FILE\n"
+  "\n"
+  "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference.\n"
+  "\n"
+  "  --runs N                 runs of each method, alternating (default 3)\n"
+  "  --method af|ctc          run this method only; may be repeated\n"
+  "  --threads N              CTC with Parallel_tag on N threads (default: Sequential_tag)\n"
+  "  --keep-boundaries        CTC leaves real boundaries open\n"
+  "  --no-metrics             no distances to the reference and no self-intersections\n"
+  "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
+  "  --csv FILE               write the rows to FILE as well\n"
+  "  --memory METHOD FILE     one run of one method; prints the peak memory per point\n";
+
+Options parse(int argc, char** argv)
+{
+  Options options;
+  const auto value = [&](int& i) -> std::string {
+    if (i + 1 >= argc)
+      throw std::invalid_argument(std::string(argv[i]) + ": value missing");
+    return argv[++i];
+  };
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--runs")
+      options.runs = (std::max)(std::stoul(value(i)), 1ul);
+    else if (word == "--method")
+      options.methods.push_back(method_of_name(value(i)));
+    else if (word == "--threads")
+      options.method.threads = std::stoul(value(i));
+    else if (word == "--keep-boundaries")
+      options.method.keep_boundaries = true;
+    else if (word == "--no-metrics")
+      options.with_metrics = false;
+    else if (word == "--intersection-limit")
+      options.intersection_limit = std::stoul(value(i));
+    else if (word == "--csv")
+      options.csv_file = value(i);
+    else if (word == "--memory") {
+      options.measure_memory = true;
+      options.methods.push_back(method_of_name(value(i)));
+    } else if (word.rfind("--", 0) == 0)
+      throw std::invalid_argument(word + ": unknown option");
+    else
+      options.paths.push_back(word);
+  }
+  if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
+    throw std::invalid_argument("file missing");
+  if (options.methods.empty())
+    options.methods = { Method::AF, Method::CTC };
+  return options;
+}
+
+void measure_memory(const Options& options)
+{
+  const Model model = read_model(options.paths.front());
+  const Peak_memory memory;
+  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model.points, options.method);
+  const double bytes = static_cast<double>(memory.growth_in_bytes());
+  std::cout << model.name << ' ' << name(options.methods.front()) << ": " << model.points.size() << " points, "
+            << triangles.size() << " triangles, peak " << bytes / 1e6 << " MB above the points, "
+            << bytes / static_cast<double>(model.points.size()) << " bytes a point\n";
+}
+
+Row describe(const Model& model, const std::string& method, const std::vector<Triangle>& triangles,
+             const Options& options)
+{
+  Row row;
+  row.model = model.name;
+  row.method = method;
+  row.statistics = Mesh_statistician(model.points, triangles)();
+  row.has_intersections = options.with_metrics && triangles.size() <= options.intersection_limit;
+  if (row.has_intersections)
+    row.intersections = Self_intersection_counter(model.points, triangles)();
+  return row;
+}
+
+// Runs the methods in turn, so that a disturbance of the machine hits all of them.
+void compare(const Model& model, const Options& options, Report& report)
+{
+  const std::size_t n = options.methods.size();
+  std::vector<std::vector<double> > seconds(n);
+  std::vector<std::vector<Triangle> > triangles(n);
+  std::vector<std::string> failures(n);
+  for (std::size_t run = 0; run != options.runs; ++run)
+    for (std::size_t m = 0; m != n; ++m) {
+      try {
+        CGAL::Real_timer timer;
+        timer.start();
+        std::vector<Triangle> result = reconstruct(options.methods[m], model.points, options.method);
+        seconds[m].push_back(timer.time());
+        triangles[m].swap(result);
+      } catch (const std::exception& e) {
+        failures[m] = e.what();
+      }
+    }
+  std::unique_ptr<Surface_comparer> comparer;
+  Model_rows rows;
+  if (!model.triangles.empty()) {
+    rows.reference = describe(model, "reference", model.triangles, options);
+    rows.has_reference = true;
+    if (options.with_metrics)
+      comparer = std::make_unique<Surface_comparer>(model.points, model.triangles);
+  }
+  for (std::size_t m = 0; m != n; ++m) {
+    if (!failures[m].empty())
+      std::cerr << model.name << ' ' << name(options.methods[m]) << ": " << failures[m] << '\n';
+    Row row = describe(model, name(options.methods[m]), triangles[m], options);
+    row.set_times(seconds[m]);
+    row.has_metrics = comparer != nullptr;
+    if (comparer)
+      row.metrics = (*comparer)(triangles[m]);
+    rows.found.push_back(row);
+  }
+  report.add(rows);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  try {
+    options = parse(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << e.what() << "\n\n" << usage;
+    return EXIT_FAILURE;
+  }
+  try {
+    if (options.measure_memory) {
+      measure_memory(options);
+      return EXIT_SUCCESS;
+    }
+    Report report(std::cout, options.csv_file);
+    for (const auto& file : find_model_files(options.paths))
+      compare(read_model(file), options, report);
+    report.summarize();
+  } catch (const std::exception& e) {
+    std::cerr << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

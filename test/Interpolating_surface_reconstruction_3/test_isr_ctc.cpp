@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// End to end: surfaces of known topology.
+
+#include "isr_test_ctc.h"
+
+using namespace isr_test;
+
+// All distinct points on a surface with the topology of the sample's.
+void check_topology(const Sample& s, const Triples& triples, const Counting_visitor& visitor)
+{
+  ISR_CHECK_EQUAL(visitor.unused, 0u);
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), s.boundary_loops);
+  ISR_CHECK_EQUAL(validation::number_of_components(triples), s.components);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), s.euler);
+}
+
+void test_closed(const Sample& s)
+{
+  begin_case(s.name);
+  Counting_visitor visitor;
+  const Triples triples = checked_ctc(s.points, visitor, params::keep_boundaries(false));
+  check_topology(s, triples, visitor);
+  ISR_CHECK(are_outward(s.points, triples));
+}
+
+void test_with_boundaries(const Sample& s)
+{
+  begin_case(s.name + ", boundaries kept");
+  Counting_visitor visitor;
+  const Triples triples = checked_ctc(s.points, visitor, params::keep_boundaries(true));
+  check_topology(s, triples, visitor);
+}
+
+void test_closed_surfaces()
+{
+  const Sample samples[] = {
+    sphere_fibonacci(2000), sphere_random(1500, 1), sphere_uv(40, 20), torus(60, 24, 0., 1),
+    torus(60, 24, .2, 2), knot(200, 12), double_torus(.05, 1), box(12, 12, 12), box(12, 7, 3),
+    box_jittered(12, .3, 1), two_boxes(8, 2.), cone(20, 1.) };
+  for (const Sample& s : samples)
+    test_closed(s);
+}
+
+// A closed surface has no boundary to keep.
+void test_surfaces_with_boundaries()
+{
+  const Sample samples[] = { plane_grid(20), two_plates(12, 2.), cylinder_open(20, 40), sphere_fibonacci(2000),
+                             torus(60, 24, 0., 1), box(12, 12, 12) };
+  for (const Sample& s : samples)
+    test_with_boundaries(s);
+  Sample s = plane_grid(20);
+  s.points = rotated(s.points, .7);
+  s.name = "rotated plane grid";
+  test_with_boundaries(s);
+}
+
+void test_plane_grid_is_exact()
+{
+  begin_case("plane grid, exact boundary");
+  const std::size_t n = 20;
+  const Triples triples = ctc(plane_grid(n).points, params::keep_boundaries(true));
+  ISR_CHECK_EQUAL(triples.size(), 2 * n * n);
+  ISR_CHECK_EQUAL(validation::boundary_edges(triples).size(), 4 * n);
+}
+
+// The ends of the cylinder have 40 edges each.
+void test_maximum_hole_size()
+{
+  begin_case("maximum hole size");
+  const Sample s = cylinder_open(20, 40);
+  for (const std::size_t size : { std::size_t(0), std::size_t(39), std::size_t(1000) }) {
+    const Triples triples = ctc(s.points, params::maximum_hole_size(size));
+    ISR_CHECK(validation::is_oriented_manifold(s.points, triples, Kernel()));
+    ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), size == 1000 ? 0u : 2u);
+  }
+}
+
+void test_orientation_follows_normals()
+{
+  begin_case("orientation follows normals");
+  const Sample s = sphere_fibonacci(1000);
+  for (const double sign : { 1., -1. }) {
+    std::vector<std::pair<Point, Vector> > oriented;
+    for (const Point& p : s.points)
+      oriented.emplace_back(p, sign * (p - CGAL::ORIGIN));
+    const Triples triples =
+      ctc(oriented, params::point_map(CGAL::First_of_pair_property_map<std::pair<Point, Vector> >())
+                            .normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Vector> >()));
+    ISR_CHECK(validation::is_oriented_manifold(s.points, triples, Kernel()));
+    ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
+    ISR_CHECK(sign * volumes_of_components(s.points, triples).front() > 0.);
+  }
+}
+
+void test_neighbor_radius()
+{
+  begin_case("neighbor radius");
+  const Sample s = sphere_fibonacci(1000);
+  // spacing is about 0.11: a generous radius changes nothing, a tiny one leaves no neighbors
+  ISR_CHECK(canonical(ctc(s.points, params::neighbor_radius(10.))) == canonical(ctc(s.points)));
+  ISR_CHECK(ctc(s.points, params::neighbor_radius(.001)).empty());
+  ISR_CHECK(ctc(s.points, params::neighbor_radius(0.)) == ctc(s.points));
+}
+
+void test_star_construction()
+{
+  begin_case("star construction");
+  const Sample s = torus(40, 16, .2, 3);
+  ISR_CHECK(ctc(s.points, params::star_construction(isr::Restricted_voronoi_star_3())) == ctc(s.points));
+}
+
+int main()
+{
+  test_closed_surfaces();
+  test_surfaces_with_boundaries();
+  test_plane_grid_is_exact();
+  test_maximum_hole_size();
+  test_orientation_follows_normals();
+  test_neighbor_radius();
+  test_star_construction();
+  return result();
+}
