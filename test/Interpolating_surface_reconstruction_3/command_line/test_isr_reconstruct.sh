@@ -3,7 +3,8 @@
 # Runs isr_reconstruct as users do, rightly and wrongly. WORK_DIR is emptied first.
 set -uo pipefail
 
-program=$1 dump_ply=$2 data=$3 work=$4
+program=$(realpath "$1") dump_ply=$(realpath "$2") data=$(realpath "$3") work=$(realpath -m "$4")
+[ -x "$program" ] && [ -x "$dump_ply" ] && [ -d "$data" ] || exit 1
 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
@@ -22,9 +23,6 @@ check() { # check DESCRIPTION COMMAND...
 
 equal() { [ "$1" = "$2" ] || { echo "  '$1' is not '$2'"; false; }; }
 one_line() { [ "$(wc -l < "$1")" -eq 1 ] || { cat "$1"; false; }; }
-no_leftovers() { # nothing but the named files in the current directory
-  equal "$(find . -mindepth 1 | sort | tr '\n' ' ')" "$(printf './%s\n' "$@" | sort | tr '\n' ' ')"
-}
 
 # fails STATUS ARGUMENTS...: the program ends with this status, says one line, leaves no file
 fails() {
@@ -238,19 +236,31 @@ check "status without space" equal $? 8
 check "leftovers without space" equal "$(ls -A run)" ""
 
 # Interruption -----------------------------------------------------------------------------------
-# A pipe that is never closed keeps the program in the reader; the signal ends it.
+# interrupted WHEN ARGUMENTS...: a signal after WHEN seconds ends the program cleanly
+interrupted() {
+  local when=$1 pid
+  shift
+  (cd run && exec "$program" "$@" > /dev/null 2> ../err.txt) &
+  pid=$!
+  sleep "$when"
+  kill -TERM "$pid"
+  wait "$pid"
+  check "status of an interrupted run" equal $? 130
+  check "one line of an interrupted run" one_line err.txt
+  check "leftovers of an interrupted run" equal "$(ls -A run)" ""
+}
+
 mkfifo endless.xyz
-sleep 30 > endless.xyz &
-writer=$!
-"$program" endless.xyz run/mesh.ply 2> err.txt &
-reader=$!
-sleep 0.5
-kill -TERM "$reader"
-wait "$reader"
-check "status of an interrupted run" equal $? 130
-kill "$writer" 2> /dev/null
-check "one line of an interrupted run" one_line err.txt
-check "leftovers of an interrupted run" equal "$(ls -A run)" ""
+yes '0 0 0' > endless.xyz &
+interrupted 0.5 "$work/endless.xyz" mesh.ply
+
+# A signal at two thirds of the time of an undisturbed run falls into the reconstruction.
+awk 'BEGIN { for (i = 0; i < 500; ++i) for (j = 0; j < 500; ++j)
+               print i, j, 20 * sin(i / 40) * cos(j / 30) }' > waves.xyz
+begin=$(date +%s%N)
+succeeds waves.xyz waves.ply --threads 1
+interrupted "$(awk -v ns=$(($(date +%s%N) - begin)) 'BEGIN { printf "%.3f", ns / 1.5e9 }')" \
+  "$work/waves.xyz" mesh.ply --threads 1
 
 # Terminal ---------------------------------------------------------------------------------------
 if command -v script > /dev/null; then

@@ -121,7 +121,7 @@ private:
     std::size_t attached = 0;
     Triangle_attachment<Builder> attach(m_cloud.positions(), builder);
     attach(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     m_progress.end_stage(attached);
@@ -136,7 +136,7 @@ private:
       return m_options.keep_boundaries && are_most_stars_open(builder, loop);
     };
     close(is_boundary, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
@@ -148,7 +148,7 @@ private:
   {
     std::size_t open = 0;
     for (Point_index p : loop)
-      open += builder.compatibility().is_star_open(p) ? 1 : 0;
+      open += builder.compatibility().is_star_open(p) ? 1u : 0u;
     return 2 * open > loop.size();
   }
 
