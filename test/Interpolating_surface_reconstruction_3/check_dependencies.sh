@@ -11,7 +11,7 @@ trap 'rm -f "$included"' EXIT
 
 cd "$root"/include
 find CGAL -name '*.h' ! -path '*/internal/*' ! -path '*/license/*' | sed 's/.*/#include <&>/' |
-  "$1" -std=c++17 -I. -isystem "$2" -isystem "$3" -x c++ -M - | tr ' ' '\n' |
+  "$1" -std=c++17 -I. -idirafter "$2" -idirafter "$3" -x c++ -M - | tr ' ' '\n' |
   grep "^$2/CGAL/" | xargs sed -n 's#.*\$URL: .*/blob/[^/]*/\([^/]*\)/include/.*#\1#p' |
   { cat; echo Interpolating_surface_reconstruction_3; } | LC_ALL=C sort -u > "$included"
 
