@@ -213,7 +213,7 @@ private:
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
       if (m_components.find(t) == t) {
         ++m_result.components;
-        m_result.closed_components += is_open[t] ? 0 : 1;
+        m_result.closed_components += is_open[t] ? 0u : 1u;
         m_result.outward_components += !is_open[t] && volumes[t] > 0. ? 1u : 0u;
       }
   }
