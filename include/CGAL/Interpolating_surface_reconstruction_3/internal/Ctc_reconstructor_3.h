@@ -137,7 +137,7 @@ private:
     std::size_t attached = 0;
     Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
     complete(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     m_progress.end_stage(attached);
