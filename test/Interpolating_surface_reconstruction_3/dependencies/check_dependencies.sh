@@ -4,7 +4,7 @@
 # include, or rewrites the file. The $URL line of a header of CGAL names its package.
 set -euo pipefail
 
-root=$(cd "$(dirname "$0")/../.." && pwd)
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 list=$root/package_info/Interpolating_surface_reconstruction_3/dependencies
 included=$(mktemp)
 trap 'rm -f "$included"' EXIT
