@@ -169,28 +169,28 @@ private:
       const Row& row = rows.found[m];
       const Row& baseline = rows.found.front();
       const Mesh_statistics& s = row.statistics;
-      closed += s.is_closed() ? 1 : 0;
-      manifold += s.is_manifold() ? 1 : 0;
-      oriented += s.is_oriented && s.outward_components == s.closed_components ? 1 : 0;
-      all_used += s.used_points == s.distinct_points ? 1 : 0;
+      closed += s.is_closed() ? 1u : 0u;
+      manifold += s.is_manifold() ? 1u : 0u;
+      oriented += s.is_oriented && s.outward_components == s.closed_components ? 1u : 0u;
+      all_used += s.used_points == s.distinct_points ? 1u : 0u;
       if (rows.has_reference) {
         const bool is_exact = has_same_topology(s, rows.reference.statistics);
         ++references;
-        exact += is_exact ? 1 : 0;
+        exact += is_exact ? 1u : 0u;
         if (rows.reference.statistics.is_closed()) {
           ++closed_references;
-          closed_exact += is_exact ? 1 : 0;
+          closed_exact += is_exact ? 1u : 0u;
         }
       }
       if (row.has_intersections) {
         ++counted;
         crossings += row.intersections;
-        without_crossings += row.intersections == 0 ? 1 : 0;
+        without_crossings += row.intersections == 0 ? 1u : 0u;
       }
       if (row.has_metrics) {
         ++compared;
-        hausdorff += is_not_above(row.metrics.hausdorff, baseline.metrics.hausdorff) ? 1 : 0;
-        mean += is_not_above(row.metrics.mean, baseline.metrics.mean) ? 1 : 0;
+        hausdorff += is_not_above(row.metrics.hausdorff, baseline.metrics.hausdorff) ? 1u : 0u;
+        mean += is_not_above(row.metrics.mean, baseline.metrics.mean) ? 1u : 0u;
         sum.hausdorff += row.metrics.hausdorff;
         sum.mean += row.metrics.mean;
         sum.root_mean_square += row.metrics.root_mean_square;

@@ -126,7 +126,7 @@ private:
     std::size_t attached = 0;
     Triangle_attachment<Builder> attach(m_cloud.positions(), builder);
     attach(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     m_progress.end_stage(attached);
@@ -142,7 +142,7 @@ private:
       if(std::getenv("DBG")) std::cerr<<"planar "<<attached<<" ms "<<1e3*std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count()<<"\n"; }
     Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
     complete(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     m_progress.end_stage(attached);
@@ -157,7 +157,7 @@ private:
       return m_options.keep_boundaries && are_most_stars_open(builder, loop);
     };
     close(is_boundary, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
@@ -169,7 +169,7 @@ private:
   {
     std::size_t open = 0;
     for (Point_index p : loop)
-      open += builder.compatibility().is_star_open(p) ? 1 : 0;
+      open += builder.compatibility().is_star_open(p) ? 1u : 0u;
     return 2 * open > loop.size();
   }
 

@@ -65,7 +65,7 @@ public:
     }
     std::size_t defective = 0;
     for (std::size_t v = 0; v != m_points.size(); ++v)
-      defective += defects(v) != 0 ? 1 : 0;
+      defective += defects(v) != 0 ? 1u : 0u;
     return defective;
   }
 

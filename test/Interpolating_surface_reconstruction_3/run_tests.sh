@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Usage: run_tests.sh [CMAKE_OPTION...]
+# Installs what is missing, builds tests, examples and benchmarks, and runs every test.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+build=$root/build-tests
+
+"$root"/examples/Interpolating_surface_reconstruction_3/install_packages.sh \
+  g++ make cmake ccache libcgal-dev libeigen3-dev libtbb-dev libboost-program-options-dev \
+  libbenchmark-dev
+
+# The tests are small: compiling takes most of the time, and half as long as with -O3.
+cmake -S "$root" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+  -D CGAL_ISR_WARNINGS_AS_ERRORS=ON "$@"
+cmake --build "$build" --parallel "$(nproc)"
+ctest --test-dir "$build" --verbose --parallel "$(nproc)" < /dev/null
