@@ -49,7 +49,8 @@ enum class Triangle_verdict
   VERTEX_FULL,    ///< a vertex would have more than one closed fan
   NOT_ORIENTABLE, ///< the surface would become non-orientable
   DUPLICATE,      ///< the triangle is part of the surface already
-  DEGENERATE      ///< the three points are collinear
+  DEGENERATE,     ///< the three points are collinear
+  FOLDED          ///< the triangle would lie on an adjacent one
 };
 
 /*!

@@ -98,6 +98,13 @@ public:
   // The leaves in the order of their points.
   const std::vector<std::uint32_t>& leaves() const { return m_leaves; }
 
+  // The leaf that holds a point.
+  std::uint32_t leaf_of(Point_index p) const
+  {
+    return *(std::upper_bound(m_leaves.begin(), m_leaves.end(), p,
+                              [&](Point_index q, std::uint32_t leaf) { return q < m_nodes[leaf].begin; }) - 1);
+  }
+
   // Calls visit(leaf) for every leaf whose tight box overlaps `box`.
   template <typename Visit>
   void for_each_leaf_overlapping(const Local_box& box, Visit visit) const

@@ -1,0 +1,314 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_MANIFOLD_BUILDER_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_MANIFOLD_BUILDER_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// The only owner of triangles, and the gate that keeps them an orientable 2-manifold: at most two
+// triangles an edge, at most one closed fan a vertex, consistent orientation.
+//
+// Points are closed or open. At a closed point the surface is the agreed star and nothing is stored;
+// at an open point the triangles are stored and change. Points on which the stars do not agree are
+// open from the beginning, so that the work is proportional to the conflicts.
+template <typename Predicates>
+class Manifold_builder
+{
+public:
+  using Triangle_index = std::uint32_t;
+  using Triangle = std::array<Point_index, 3>;
+
+  static constexpr Triangle_index NO_TRIANGLE = NO_POINT;
+
+  // The triangle at an open point, as the edge (a, b) of the link: oriented (point, a, b).
+  struct Corner { Triangle_index triangle; Point_index a, b; };
+  using Corners = boost::container::small_vector<Corner, 7>;
+
+  Manifold_builder(Star_compatibility& compatibility, const Predicates& predicates)
+    : m_compatibility(compatibility), m_predicates(predicates),
+      m_slots(compatibility.stars().size(), NO_POINT)
+  {
+    for (Point_index p = 0; p != m_slots.size(); ++p)
+      if (!compatibility.is_point_agreed(p))
+        open(p);
+  }
+
+  const Star_compatibility& compatibility() const { return m_compatibility; }
+  const Predicates& predicates() const { return m_predicates; }
+  Point_index number_of_points() const { return static_cast<Point_index>(m_slots.size()); }
+
+  bool is_open(Point_index p) const { return m_slots[p] != NO_POINT; }
+  // Points that are open, in the order in which they were opened.
+  const std::vector<Point_index>& open_points() const { return m_open_points; }
+
+  // Makes the triangles at a closed point changeable.
+  void open(Point_index p)
+  {
+    if (is_open(p))
+      return;
+    m_slots[p] = static_cast<Point_index>(m_open_points.size());
+    m_open_points.push_back(p);
+    m_corners.emplace_back();
+    m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+      Triangle_index t = is_open(a) ? find_triangle(a, b, p) : is_open(b) ? find_triangle(b, p, a) : NO_TRIANGLE;
+      if (t == NO_TRIANGLE) {
+        t = static_cast<Triangle_index>(m_triangles.size());
+        m_triangles.push_back(Stored_triangle{ Triangle{ { p, a, b } }, p });
+      }
+      m_corners.back().push_back(corner(t, p));
+    });
+  }
+
+  const Corners& corners(Point_index p) const { return m_corners[m_slots[p]]; }
+  // Vertices of a stored triangle, oriented like its orientation element.
+  const Triangle& triangle(Triangle_index t) const { return m_triangles[t].vertices; }
+  bool is_removed(Triangle_index t) const { return m_triangles[t].vertices[0] == NO_POINT; }
+  std::size_t number_of_stored_triangles() const { return m_triangles.size(); }
+
+  // Orientation of a stored triangle against the representative of its connected part.
+  Parity_union_find::Oriented_root orientation(Triangle_index t)
+  {
+    return m_compatibility.orientations().find(m_triangles[t].orientation);
+  }
+  Parity_union_find& orientations() { return m_compatibility.orientations(); }
+
+  // Number of triangles at the edge between an open point and another one.
+  int number_of_triangles(Point_index p, Point_index q) const
+  {
+    int result = 0;
+    for (const Corner& c : corners(p))
+      result += (c.a == q || c.b == q) ? 1 : 0;
+    return result;
+  }
+
+  // The triangle of the open point p with the vertices q and r, or NO_TRIANGLE.
+  Triangle_index find_triangle(Point_index p, Point_index q, Point_index r) const
+  {
+    for (const Corner& c : corners(p))
+      if ((c.a == q && c.b == r) || (c.a == r && c.b == q))
+        return c.triangle;
+    return NO_TRIANGLE;
+  }
+
+  // Calls visit(triangle) for the triangles at a point, open or closed.
+  template <typename Visit>
+  void for_each_triangle_at(Point_index p, Visit visit) const
+  {
+    if (is_open(p))
+      for (const Corner& c : corners(p))
+        visit(Triangle{ { p, c.a, c.b } });
+    else
+      m_compatibility.for_each_agreed_triangle(
+        p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) { visit(Triangle{ { p, a, b } }); });
+  }
+
+  // The third vertex of a triangle at the edge (p, q) of an open point p, or NO_POINT.
+  Point_index opposite_vertex(Point_index p, Point_index q) const
+  {
+    for (const Corner& c : corners(p))
+      if (c.a == q || c.b == q)
+        return c.a == q ? c.b : c.a;
+    return NO_POINT;
+  }
+
+  // Attaches the triangle (p, q, r) if the surface stays a manifold.
+  Triangle_verdict try_add(Point_index p, Point_index q, Point_index r)
+  {
+    const Triangle_verdict verdict = check(p, q, r);
+    if (verdict == Triangle_verdict::ADDED)
+      add(p, q, r);
+    return verdict;
+  }
+
+  // Detaches a stored triangle and opens its vertices.
+  void remove(Triangle_index t)
+  {
+    const Triangle vertices = m_triangles[t].vertices;
+    for (Point_index p : vertices)
+      open(p);
+    for (Point_index p : vertices) {
+      Corners& list = m_corners[m_slots[p]];
+      list.erase(std::find_if(list.begin(), list.end(), [&](const Corner& c) { return c.triangle == t; }));
+    }
+    m_triangles[t].vertices[0] = NO_POINT;
+  }
+
+  // Calls visit(triangle, orientation element) for every triangle of the surface in canonical order;
+  // the triangle is oriented like the element.
+  template <typename Visit>
+  void for_each_triangle(Visit visit) const
+  {
+    for (Point_index p = 0; p != m_slots.size(); ++p)
+      if (!is_open(p))
+        m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+          if (!is_open(a) && !is_open(b) && p < a && p < b)
+            visit(Triangle{ { p, a, b } }, p);
+        });
+    for (const Stored_triangle& t : m_triangles)
+      if (t.vertices[0] != NO_POINT)
+        visit(t.vertices, t.orientation);
+  }
+
+  // The path of link edges through the neighbor `from` of an open point: its other end and length.
+  struct Fan { Point_index end; std::size_t size; };
+
+  Fan fan_from(Point_index p, Point_index from) const
+  {
+    Fan fan{ from, 0 };
+    Triangle_index last = NO_TRIANGLE;
+    const Corners& list = corners(p);
+    for (std::size_t i = 0; i != list.size(); ) {
+      const Corner& c = list[i];
+      if (c.triangle != last && (c.a == fan.end || c.b == fan.end)) {
+        fan.end = c.a == fan.end ? c.b : c.a;
+        last = c.triangle;
+        ++fan.size;
+        if (fan.end == from)
+          return fan;
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+    return fan;
+  }
+
+private:
+  struct Stored_triangle
+  {
+    Triangle vertices;
+    Parity_union_find::Element orientation;
+  };
+
+  // A triangle next to a new one, and whether the new one, as given, is oriented against it.
+  struct Adjacent { Triangle_index triangle = NO_TRIANGLE; bool is_flipped = false; };
+
+  Triangle_verdict check(Point_index p, Point_index q, Point_index r)
+  {
+    if (!is_open(p) || !is_open(q) || !is_open(r))
+      return Triangle_verdict::VERTEX_FULL;
+    if (find_triangle(p, q, r) != NO_TRIANGLE)
+      return Triangle_verdict::DUPLICATE;
+    if (m_predicates.is_degenerate(p, q, r))
+      return Triangle_verdict::DEGENERATE;
+    if (number_of_triangles(p, q) == 2 || number_of_triangles(q, r) == 2 || number_of_triangles(r, p) == 2)
+      return Triangle_verdict::EDGE_FULL;
+    if (closes_one_of_several_fans(p, q, r) || closes_one_of_several_fans(q, r, p) ||
+        closes_one_of_several_fans(r, p, q))
+      return Triangle_verdict::VERTEX_FULL;
+    if (is_folded(p, q, r) || is_folded(q, r, p) || is_folded(r, p, q))
+      return Triangle_verdict::FOLDED;
+    return is_orientable(adjacent_triangles(p, q, r)) ? Triangle_verdict::ADDED : Triangle_verdict::NOT_ORIENTABLE;
+  }
+
+  // Whether the link edge (q, r) closes a fan of p while p has other triangles.
+  bool closes_one_of_several_fans(Point_index p, Point_index q, Point_index r) const
+  {
+    const Fan fan = fan_from(p, q);
+    return fan.size != 0 && fan.end == r && fan.size != corners(p).size();
+  }
+
+  // Whether the triangle (p, q, r) lies on the triangle at its edge (p, q).
+  bool is_folded(Point_index p, Point_index q, Point_index r) const
+  {
+    const Point_index opposite = opposite_vertex(p, q);
+    return opposite != NO_POINT && m_predicates.is_folded(p, q, r, opposite);
+  }
+
+  std::array<Adjacent, 3> adjacent_triangles(Point_index p, Point_index q, Point_index r) const
+  {
+    return std::array<Adjacent, 3>{ { adjacent(p, q), adjacent(q, r), adjacent(r, p) } };
+  }
+
+  // The triangle at the directed edge (p, q) of a new triangle: in agreement it has the edge (q, p).
+  Adjacent adjacent(Point_index p, Point_index q) const
+  {
+    for (const Corner& c : corners(p))
+      if (c.a == q || c.b == q)
+        return Adjacent{ c.triangle, c.a == q };
+    return Adjacent();
+  }
+
+  bool is_orientable(const std::array<Adjacent, 3>& adjacent)
+  {
+    std::array<Parity_union_find::Oriented_root, 3> roots;
+    for (std::size_t i = 0; i != 3; ++i) {
+      if (adjacent[i].triangle == NO_TRIANGLE)
+        continue;
+      roots[i] = orientation(adjacent[i].triangle);
+      roots[i].is_flipped = roots[i].is_flipped != adjacent[i].is_flipped;
+      for (std::size_t j = 0; j != i; ++j)
+        if (adjacent[j].triangle != NO_TRIANGLE && roots[i].root == roots[j].root &&
+            roots[i].is_flipped != roots[j].is_flipped)
+          return false;
+    }
+    return true;
+  }
+
+  void add(Point_index p, Point_index q, Point_index r)
+  {
+    const std::array<Adjacent, 3> adjacent = adjacent_triangles(p, q, r);
+    Stored_triangle stored{ Triangle{ { p, q, r } }, 0 };
+    const auto first = std::find_if(adjacent.begin(), adjacent.end(),
+                                    [](const Adjacent& a) { return a.triangle != NO_TRIANGLE; });
+    if (first == adjacent.end()) {
+      stored.orientation = orientations().add();
+    } else {
+      stored.orientation = m_triangles[first->triangle].orientation;
+      if (first->is_flipped)
+        std::swap(stored.vertices[1], stored.vertices[2]);
+      for (auto it = first + 1; it != adjacent.end(); ++it)
+        if (it->triangle != NO_TRIANGLE)
+          orientations().unite(stored.orientation, m_triangles[it->triangle].orientation,
+                               first->is_flipped != it->is_flipped);
+    }
+    const Triangle_index t = static_cast<Triangle_index>(m_triangles.size());
+    m_triangles.push_back(stored);
+    for (Point_index v : stored.vertices)
+      m_corners[m_slots[v]].push_back(corner(t, v));
+  }
+
+  Corner corner(Triangle_index t, Point_index p) const
+  {
+    const Triangle& v = m_triangles[t].vertices;
+    return v[0] == p ? Corner{ t, v[1], v[2] } : v[1] == p ? Corner{ t, v[2], v[0] } : Corner{ t, v[0], v[1] };
+  }
+
+  Star_compatibility& m_compatibility;
+  const Predicates& m_predicates;
+  std::vector<Point_index> m_slots;
+  std::vector<Point_index> m_open_points;
+  std::vector<Corners> m_corners;
+  std::vector<Stored_triangle> m_triangles;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_MANIFOLD_BUILDER_H

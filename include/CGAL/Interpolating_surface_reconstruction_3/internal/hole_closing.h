@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_CLOSING_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_CLOSING_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Closes the boundary loops of a surface without new points (thesis 4.3.6). A loop that cannot be
+// closed, because the edges it needs exist elsewhere, is widened by the ring of triangles around it
+// and tried again.
+template <typename Builder>
+class Hole_closing
+{
+public:
+  // Loops of more than `maximum_size` edges stay open, and those for which is_boundary(loop) holds.
+  Hole_closing(const std::vector<Local_point>& points, Builder& builder, std::size_t maximum_size)
+    : m_points(points), m_builder(builder), m_maximum_size(maximum_size), m_fill(points, builder)
+  { }
+
+  template <typename IsBoundary, typename OnVerdict>
+  void operator()(const IsBoundary& is_boundary, OnVerdict on_verdict)
+  {
+    for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
+      const std::vector<Boundary_loop> failed = fill_loops(is_boundary, on_verdict);
+      const bool is_single = keep_largest_fans();
+      if (failed.empty() && is_single)
+        return;
+      for (const Boundary_loop& loop : failed)
+        if (round + 1 != MAXIMUM_ROUNDS)
+          remove_ring(loop);
+    }
+    keep_largest_fans();
+  }
+
+private:
+  // A loop that resists widening this often lies on a surface that folds onto itself, such as a
+  // closed flat sheet, and stays open.
+  static constexpr std::size_t MAXIMUM_ROUNDS = 8;
+
+  template <typename IsBoundary, typename OnVerdict>
+  std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, OnVerdict on_verdict)
+  {
+    std::vector<Boundary_loop> failed;
+    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
+      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !m_fill(loop, on_verdict))
+        failed.push_back(loop);
+    return failed;
+  }
+
+  // Where several fans meet at a point, only the largest stays. Returns whether there were none.
+  bool keep_largest_fans()
+  {
+    bool is_single = true;
+    std::vector<Point_index> todo(m_builder.open_points());
+    while (!todo.empty()) {
+      const Point_index p = todo.back();
+      todo.pop_back();
+      const std::vector<Point_index> touched = remove_smaller_fans(p);
+      is_single = is_single && touched.empty();
+      todo.insert(todo.end(), touched.begin(), touched.end());
+    }
+    return is_single;
+  }
+
+  // Returns the points of the triangles removed.
+  std::vector<Point_index> remove_smaller_fans(Point_index p)
+  {
+    std::vector<Point_index> touched;
+    std::size_t largest = 0;
+    Point_index largest_begin = NO_POINT;
+    for (const auto& corner : m_builder.corners(p)) {
+      const auto fan = m_builder.fan_from(p, fan_begin(p, corner.a));
+      if (fan.size > largest) {
+        largest = fan.size;
+        largest_begin = fan_begin(p, corner.a);
+      }
+    }
+    if (largest == m_builder.corners(p).size())
+      return touched;
+    std::vector<typename Builder::Triangle_index> removed;
+    for (const auto& corner : m_builder.corners(p)) {
+      const Point_index begin = fan_begin(p, corner.a);
+      if (begin != largest_begin)
+        removed.push_back(corner.triangle);
+    }
+    for (auto t : removed) {
+      const typename Builder::Triangle vertices = m_builder.triangle(t);
+      touched.insert(touched.end(), vertices.begin(), vertices.end());
+      m_builder.remove(t);
+    }
+    return touched;
+  }
+
+  // The end of the fan through the neighbor q that is the smaller index, or the smallest neighbor of
+  // a closed fan.
+  Point_index fan_begin(Point_index p, Point_index q) const
+  {
+    const Point_index one = m_builder.fan_from(p, q).end;
+    const Point_index other = m_builder.fan_from(p, one).end;
+    return (std::min)(one, other);
+  }
+
+  void remove_ring(const Boundary_loop& loop)
+  {
+    for (std::size_t i = 0; i != loop.size(); ++i) {
+      const Point_index p = loop[i], q = loop[(i + 1) % loop.size()], r = m_builder.opposite_vertex(p, q);
+      if (r != NO_POINT)
+        m_builder.remove(m_builder.find_triangle(p, q, r));
+    }
+  }
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  std::size_t m_maximum_size;
+  Hole_filler<Builder> m_fill;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_CLOSING_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_FILLER_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_FILLER_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Closes a boundary loop by triangles between its points. Among all triangulations of the loop it
+// takes one whose sharpest dihedral angle, with the surface around it too, is the least sharp, and
+// whose area is smallest among those (Liepa, Filling holes in meshes, 2003). No triangulation may
+// use an edge that the surface has elsewhere.
+template <typename Builder>
+class Hole_filler
+{
+public:
+  Hole_filler(const std::vector<Local_point>& points, Builder& builder)
+    : m_points(points), m_builder(builder)
+  { }
+
+  // Fills the loop; leaves the surface as it was and returns false if there is no way to.
+  template <typename OnVerdict>
+  bool operator()(const Boundary_loop& loop, OnVerdict on_verdict)
+  {
+    if (loop.size() < 3)
+      return false;
+    m_loop = loop;
+    m_outer.clear();
+    for (std::size_t i = 0; i != loop.size(); ++i)
+      m_outer.push_back(m_builder.opposite_vertex(loop[i], loop[(i + 1) % loop.size()]));
+    m_fill.clear();
+    cut_short_ears();
+    if (!triangulate())
+      return false;
+    return attach(on_verdict);
+  }
+
+private:
+  using Triangle = typename Builder::Triangle;
+  using Triangle_index = typename Builder::Triangle_index;
+
+  // The optimal triangulation takes time cubic in the length of the loop; longer loops are shortened
+  // by cutting off the ear with the shortest chord first.
+  static constexpr std::size_t MAXIMUM_OPTIMAL_SIZE = 96;
+
+  struct Weight
+  {
+    double cosine; // of the largest supplementary angle, or of none
+    double area;
+    bool operator<(const Weight& other) const
+    {
+      return cosine > other.cosine || (cosine == other.cosine && area < other.area);
+    }
+  };
+  static Weight impossible() { return Weight{ -2., 0. }; }
+
+  struct Entry { Weight weight; std::size_t split; };
+
+  Entry& entry(std::size_t i, std::size_t j) { return m_table[i * m_loop.size() + j]; }
+
+  // Optimal triangulations of the sub-polygons i, i + 1, ..., j of the loop.
+  bool triangulate()
+  {
+    const std::size_t n = m_loop.size();
+    if (n < 3)
+      return n == 0;
+    m_table.assign(n * n, Entry{ Weight{ 1., 0. }, 0 });
+    for (std::size_t length = 2; length != n; ++length)
+      for (std::size_t i = 0; i + length < n; ++i)
+        optimize(i, i + length);
+    if (entry(0, n - 1).weight.cosine < -1.)
+      return false;
+    collect(0, n - 1);
+    return true;
+  }
+
+  void optimize(std::size_t i, std::size_t j)
+  {
+    Entry best{ impossible(), 0 };
+    const bool is_closing_edge = i == 0 && j == m_loop.size() - 1;
+    if (is_closing_edge || is_free_chord(m_loop[i], m_loop[j]))
+      for (std::size_t m = i + 1; m != j; ++m) {
+        if (entry(i, m).weight.cosine < -1. || entry(m, j).weight.cosine < -1.)
+          continue;
+        const Weight weight = weight_of(i, m, j, is_closing_edge);
+        if (best.weight.cosine < -1. ? weight.cosine >= -1. : weight < best.weight)
+          best = Entry{ weight, m };
+      }
+    entry(i, j) = best;
+  }
+
+  bool is_free_chord(Point_index p, Point_index q) const
+  {
+    return p != q && m_builder.number_of_triangles(p, q) == 0;
+  }
+
+  Weight weight_of(std::size_t i, std::size_t m, std::size_t j, bool is_closing_edge)
+  {
+    const Point_index p = m_loop[i], q = m_loop[m], r = m_loop[j];
+    if (m_builder.predicates().is_degenerate(p, q, r) || p == q || q == r || r == p)
+      return impossible();
+    double cosine = (std::min)(entry(i, m).weight.cosine, entry(m, j).weight.cosine);
+    cosine = (std::min)(cosine, cosine_at(p, q, r, m == i + 1 ? m_outer[i] : m_loop[entry(i, m).split]));
+    cosine = (std::min)(cosine, cosine_at(q, r, p, j == m + 1 ? m_outer[m] : m_loop[entry(m, j).split]));
+    if (is_closing_edge)
+      cosine = (std::min)(cosine, cosine_at(r, p, q, m_outer[j]));
+    const double area = std::sqrt(cross_product(m_points[q] - m_points[p], m_points[r] - m_points[p]).squared_length());
+    return Weight{ cosine, area + entry(i, m).weight.area + entry(m, j).weight.area };
+  }
+
+  double cosine_at(Point_index p, Point_index q, Point_index r, Point_index opposite) const
+  {
+    if (opposite == r || opposite == NO_POINT || m_builder.predicates().is_folded(p, q, r, opposite))
+      return -2.;
+    return cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
+  }
+
+  void collect(std::size_t begin, std::size_t end)
+  {
+    std::vector<std::array<std::size_t, 2> > stack{ { { begin, end } } };
+    while (!stack.empty()) {
+      const std::size_t i = stack.back()[0], j = stack.back()[1];
+      stack.pop_back();
+      if (j - i < 2)
+        continue;
+      const std::size_t m = entry(i, j).split;
+      m_fill.push_back(Triangle{ { m_loop[i], m_loop[m], m_loop[j] } });
+      stack.push_back({ { i, m } });
+      stack.push_back({ { m, j } });
+    }
+  }
+
+  void cut_short_ears()
+  {
+    while (m_loop.size() > MAXIMUM_OPTIMAL_SIZE) {
+      const std::size_t n = m_loop.size();
+      std::size_t best = n;
+      double shortest = (std::numeric_limits<double>::max)();
+      for (std::size_t i = 0; i != n; ++i) {
+        const double squared = (m_points[m_loop[(i + n - 1) % n]] - m_points[m_loop[(i + 1) % n]]).squared_length();
+        if (squared < shortest && is_ear(i)) {
+          shortest = squared;
+          best = i;
+        }
+      }
+      if (best == n)
+        return;
+      m_fill.push_back(Triangle{ { m_loop[(best + n - 1) % n], m_loop[best], m_loop[(best + 1) % n] } });
+      m_outer[(best + n - 1) % n] = m_loop[best];
+      m_loop.erase(m_loop.begin() + std::ptrdiff_t(best));
+      m_outer.erase(m_outer.begin() + std::ptrdiff_t(best));
+    }
+  }
+
+  bool is_ear(std::size_t i) const
+  {
+    const std::size_t n = m_loop.size();
+    const Point_index p = m_loop[(i + n - 1) % n], q = m_loop[i], r = m_loop[(i + 1) % n];
+    return is_free_chord(p, r) && !m_builder.predicates().is_degenerate(p, q, r) &&
+           cosine_at(p, q, r, m_outer[(i + n - 1) % n]) >= -1. && cosine_at(q, r, p, m_outer[i]) >= -1.;
+  }
+
+  // All triangles or none; growing from the surface, so that the gate sees the orientation.
+  template <typename OnVerdict>
+  bool attach(OnVerdict on_verdict)
+  {
+    const std::size_t before = m_builder.number_of_stored_triangles();
+    for (const Triangle& t : m_fill) {
+      const Triangle_verdict verdict = m_builder.try_add(t[0], t[1], t[2]);
+      on_verdict(t, verdict);
+      if (verdict != Triangle_verdict::ADDED) {
+        for (std::size_t added = m_builder.number_of_stored_triangles(); added-- != before; )
+          m_builder.remove(static_cast<Triangle_index>(added));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  Boundary_loop m_loop;
+  std::vector<Point_index> m_outer; // the vertex of the surface beyond the edge from point i to the next
+  std::vector<Triangle> m_fill;
+  std::vector<Entry> m_table;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_HOLE_FILLER_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTATION_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTATION_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/determinant.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Decides which way each connected component of a surface faces: along the given normals if there
+// are any, else outward. The sign of the volume of a closed component is exact: where the bound on
+// the rounding error does not certify it, it is computed with rational numbers.
+template <typename Builder>
+class Surface_orientation
+{
+public:
+  using Triangle = typename Builder::Triangle;
+
+  Surface_orientation(const std::vector<Local_point>& points, Builder& builder)
+    : m_points(points), m_builder(builder), m_components(points.size()), m_facing(points.size())
+  {
+    find_components();
+  }
+
+  // `normal_of(p)` is the given normal at p.
+  template <typename NormalOf>
+  void align_with_normals(const NormalOf& normal_of)
+  {
+    for_each_triangle([&](const Triangle& t, Facing& facing) {
+      const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+      for (Point_index p : t)
+        facing.sum += n * normal_of(p);
+    });
+  }
+
+  void face_outward()
+  {
+    for_each_triangle([&](const Triangle& t, Facing& facing) {
+      if (facing.reference == NO_POINT)
+        facing.reference = t[0];
+      const Local_point& o = m_points[facing.reference];
+      const Local_vector u = m_points[t[0]] - o, v = m_points[t[1]] - o, w = m_points[t[2]] - o;
+      const double volume = cross_product(u, v) * w;
+      facing.sum += volume;
+      facing.error += ROUNDING * std::sqrt(u.squared_length() * v.squared_length() * w.squared_length());
+    });
+    decide_exactly();
+  }
+
+  // Calls visit(triangle) for every triangle, oriented.
+  template <typename Visit>
+  void for_each_oriented_triangle(Visit visit)
+  {
+    for_each_triangle([&](const Triangle& t, const Facing& facing) {
+      visit(facing.sum < 0. ? Triangle{ { t[0], t[2], t[1] } } : t);
+    });
+  }
+
+  std::size_t number_of_triangles() const { return m_number_of_triangles; }
+
+private:
+  struct Facing
+  {
+    double sum = 0., error = 0.;
+    Point_index reference = NO_POINT;
+    std::size_t exact = 0; // position among the exact volumes, counted from 1
+  };
+
+  // Rounding error of a 3 x 3 determinant relative to the lengths of its rows, with a margin that
+  // covers the accumulation over as many triangles as there are.
+  static constexpr double ROUNDING = 1e-14;
+
+  void find_components()
+  {
+    m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
+      m_components.unite(t[0], t[1], false);
+      m_components.unite(t[0], t[2], false);
+      ++m_number_of_triangles;
+    });
+  }
+
+  // The triangles as their connected part orients them.
+  template <typename Visit>
+  void for_each_triangle(Visit visit)
+  {
+    m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element e) {
+      const bool is_flipped = m_builder.orientations().find(e).is_flipped;
+      visit(is_flipped ? Triangle{ { t[0], t[2], t[1] } } : t, m_facing[m_components.find(t[0]).root]);
+    });
+  }
+
+  void decide_exactly()
+  {
+    std::vector<Exact_rational> volumes;
+    for (Facing& facing : m_facing)
+      if (facing.reference != NO_POINT && std::abs(facing.sum) <= facing.error) {
+        volumes.emplace_back(0);
+        facing.exact = volumes.size();
+      }
+    if (volumes.empty())
+      return;
+    for_each_triangle([&](const Triangle& t, const Facing& facing) {
+      if (facing.exact != 0)
+        volumes[facing.exact - 1] += exact_volume(t, facing.reference);
+    });
+    for (Facing& facing : m_facing)
+      if (facing.exact != 0)
+        facing.sum = CGAL::sign(volumes[facing.exact - 1]) == NEGATIVE ? -1. : 1.;
+  }
+
+  Exact_rational exact_volume(const Triangle& t, Point_index reference) const
+  {
+    std::array<std::array<Exact_rational, 3>, 3> rows;
+    for (std::size_t i = 0; i != 3; ++i)
+      for (std::size_t a = 0; a != 3; ++a)
+        rows[i][a] = Exact_rational(m_points[t[i]][int(a)]) - Exact_rational(m_points[reference][int(a)]);
+    return CGAL::determinant(rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2],
+                             rows[2][0], rows[2][1], rows[2][2]);
+  }
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  Parity_union_find m_components;
+  std::vector<Facing> m_facing; // of the representatives
+  std::size_t m_number_of_triangles = 0;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTATION_H

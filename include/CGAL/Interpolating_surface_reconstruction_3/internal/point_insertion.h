@@ -1,0 +1,183 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_POINT_INSERTION_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_POINT_INSERTION_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Inserts the points that no triangle uses into the nearest triangle or edge of the surface.
+template <typename Builder>
+class Point_insertion
+{
+public:
+  Point_insertion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
+    : m_points(points), m_builder(builder), m_octree(octree), m_neighbors(points, octree, maximum_radius)
+  { }
+
+  // Returns the number of points that could not be inserted.
+  std::size_t operator()()
+  {
+    std::vector<Point_index> unused;
+    for (Point_index p : m_builder.open_points())
+      if (m_builder.corners(p).empty())
+        unused.push_back(p);
+    std::sort(unused.begin(), unused.end());
+    // A point may get a surface to lie on only when its neighbors have been inserted.
+    for (std::size_t before = unused.size() + 1; !unused.empty() && unused.size() != before; ) {
+      before = unused.size();
+      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return insert(p); }), unused.end());
+    }
+    return unused.size();
+  }
+
+private:
+  using Triangle = typename Builder::Triangle;
+
+  // A triangle near the point; `edge` is the side opposite to vertex `edge` if that is nearest, or 3.
+  struct Target
+  {
+    double squared_distance;
+    Triangle triangle;
+    std::size_t edge;
+    bool operator<(const Target& other) const
+    {
+      return squared_distance < other.squared_distance ||
+             (squared_distance == other.squared_distance && triangle < other.triangle);
+    }
+    bool operator==(const Target& other) const { return triangle == other.triangle; }
+  };
+
+  bool insert(Point_index p)
+  {
+    for (const Target& target : targets(p)) {
+      const bool is_inserted = target.edge == 3 ? split_triangle(p, target.triangle)
+                                                : split_edge(p, target) || split_triangle(p, target.triangle);
+      if (is_inserted)
+        return true;
+    }
+    return false;
+  }
+
+  // Triangles at the nearest points, nearest first.
+  std::vector<Target> targets(Point_index p)
+  {
+    std::vector<Target> result;
+    Point_octree_3::Node leaf = m_octree.node(m_octree.leaf_of(p));
+    leaf.begin = p;
+    leaf.end = p + 1;
+    m_neighbors.for_each_point(leaf, OCTREE_LEAF_SIZE, MAXIMUM_NEIGHBORS, [&](Point_index, const Star_neighborhood&) {
+      result.clear();
+      for (Point_index q : m_neighbors.indices())
+        m_builder.for_each_triangle_at(q, [&](Triangle t) {
+          std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+          result.push_back(target(p, t));
+        });
+      return !result.empty();
+    });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  Target target(Point_index p, const Triangle& t) const
+  {
+    Target result{ 0., t, 3 };
+    const Local_point& a = m_points[t[0]];
+    const Local_vector n = cross_product(m_points[t[1]] - a, m_points[t[2]] - a);
+    for (std::size_t i = 0; i != 3; ++i) {
+      const Local_point& u = m_points[t[(i + 1) % 3]];
+      const Local_vector edge = m_points[t[(i + 2) % 3]] - u, d = m_points[p] - u;
+      if (cross_product(n, edge) * d > 0.)
+        continue;
+      const double s = (std::min)(1., (std::max)(0., (edge * d) / edge.squared_length()));
+      const double squared = (d - s * edge).squared_length();
+      if (result.edge == 3 || squared < result.squared_distance)
+        result = Target{ squared, t, i };
+    }
+    if (result.edge == 3) {
+      const double height = n * (m_points[p] - a);
+      result.squared_distance = height * height / n.squared_length();
+    }
+    return result;
+  }
+
+  // Replaces the triangle by three around the point.
+  bool split_triangle(Point_index p, const Triangle& t)
+  {
+    return replace({ t }, { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } });
+  }
+
+  // Splits the edge opposite to vertex `edge` and the triangles at it in two.
+  bool split_edge(Point_index p, const Target& target)
+  {
+    const Point_index r = target.triangle[target.edge], u = target.triangle[(target.edge + 1) % 3],
+                      v = target.triangle[(target.edge + 2) % 3];
+    std::vector<Triangle> removed{ target.triangle },
+      added{ Triangle{ { r, u, p } }, Triangle{ { p, v, r } } };
+    m_builder.open(u);
+    for (const auto& corner : m_builder.corners(u)) {
+      const Point_index s = corner.a == v ? corner.b : corner.b == v ? corner.a : NO_POINT;
+      if (s == NO_POINT || s == r)
+        continue;
+      removed.push_back(Triangle{ { v, u, s } });
+      added.push_back(Triangle{ { s, v, p } });
+      added.push_back(Triangle{ { p, u, s } });
+    }
+    return replace(removed, added);
+  }
+
+  // Exchanges the triangles, or none.
+  bool replace(const std::vector<Triangle>& removed, const std::vector<Triangle>& added)
+  {
+    for (const Triangle& t : removed) {
+      for (Point_index p : t)
+        m_builder.open(p);
+      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+    }
+    for (std::size_t i = 0; i != added.size(); ++i)
+      if (m_builder.try_add(added[i][0], added[i][1], added[i][2]) != Triangle_verdict::ADDED) {
+        while (i-- != 0)
+          m_builder.remove(m_builder.find_triangle(added[i][0], added[i][1], added[i][2]));
+        for (const Triangle& t : removed)
+          m_builder.try_add(t[0], t[1], t[2]);
+        return false;
+      }
+    return true;
+  }
+
+  // Beyond so many neighbors without a triangle a point has no surface around it.
+  static constexpr std::size_t MAXIMUM_NEIGHBORS = 384;
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  const Point_octree_3& m_octree;
+  Nearest_neighbors m_neighbors;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_POINT_INSERTION_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_COMPATIBILITY_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_COMPATIBILITY_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// How compatible the stars are (thesis 4.2.1): for each triangle of each star, the number of its
+// vertices whose stars contain it. A triangle with three votes is agreed; a point is agreed if its
+// star is closed and all its triangles are. At an agreed point the surface is the star, and an edge
+// has at most two agreed triangles, because a star has two triangles at an edge.
+class Star_compatibility
+{
+public:
+  using Slot = Star_table::Slot;
+
+  explicit Star_compatibility(const Star_table& stars)
+    : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_is_agreed(stars.size(), 0), m_orientations(stars.size())
+  { }
+
+  // A triangle that is degenerate gets no vote.
+  template <typename ConcurrencyTag, typename Predicates>
+  void count_votes(const Predicates& predicates)
+  {
+    constexpr std::size_t POINTS_PER_BLOCK = 4096;
+    for_each_block<ConcurrencyTag>(m_stars.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p != end; ++p)
+        count_votes_at(static_cast<Point_index>(p), predicates);
+    });
+  }
+
+  // Ties the stars together triangle by triangle; a triangle that would make the surface
+  // non-orientable loses its agreement.
+  void orient()
+  {
+    for (Point_index p = 0; p != m_stars.size(); ++p)
+      for_each_agreed_triangle(p, [&](Slot s, Point_index, Point_index a, Point_index b) {
+        if (p > a || p > b)
+          return;
+        if (!m_orientations.unite(p, a, (m_slots[s] & FIRST_IS_FLIPPED) != 0) ||
+            !m_orientations.unite(p, b, (m_slots[s] & SECOND_IS_FLIPPED) != 0)) {
+          revoke(p, a, b);
+          revoke(a, b, p);
+          revoke(b, p, a);
+        }
+      });
+  }
+
+  const Star_table& stars() const { return m_stars; }
+
+  bool is_point_agreed(Point_index p) const { return m_is_agreed[p] != 0; }
+  std::size_t number_of_agreed_points() const
+  {
+    return static_cast<std::size_t>(std::count(m_is_agreed.begin(), m_is_agreed.end(), 1));
+  }
+
+  bool is_star_open(Point_index p) const
+  {
+    for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s)
+      if (m_stars.neighbor(s) == NO_POINT)
+        return true;
+    return m_stars.begin(p) == m_stars.end(p);
+  }
+
+  int votes(Slot s) const { return m_slots[s] & VOTES; }
+  bool is_triangle_agreed(Slot s) const { return votes(s) == 3; }
+
+  // Calls visit(slot, p, a, b) for the agreed triangles of the star of p, oriented like that star.
+  template <typename Visit>
+  void for_each_agreed_triangle(Point_index p, Visit visit) const
+  {
+    for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s)
+      if (is_triangle_agreed(s))
+        visit(s, p, m_stars.neighbor(s), m_stars.neighbor(m_stars.next(p, s)));
+  }
+
+  // Orientations of the stars, as far as agreed triangles tie them to each other.
+  Parity_union_find& orientations() { return m_orientations; }
+
+private:
+  static constexpr std::uint8_t VOTES = 3, FIRST_IS_FLIPPED = 4, SECOND_IS_FLIPPED = 8;
+
+  template <typename Predicates>
+  void count_votes_at(Point_index p, const Predicates& predicates)
+  {
+    bool is_agreed = m_stars.end(p) - m_stars.begin(p) > 2;
+    for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s) {
+      m_slots[s] = 0;
+      if (m_stars.has_triangle(p, s)) {
+        const Point_index a = m_stars.neighbor(s), b = m_stars.neighbor(m_stars.next(p, s));
+        if (!predicates.is_degenerate(p, a, b))
+          m_slots[s] = ballot(m_stars.view(a, b, p), m_stars.view(b, p, a));
+      }
+      is_agreed = is_agreed && is_triangle_agreed(s);
+    }
+    m_is_agreed[p] = is_agreed ? 1 : 0;
+  }
+
+  static std::uint8_t ballot(Star_table::View first, Star_table::View second)
+  {
+    int result = 1;
+    if (first != Star_table::View::ABSENT)
+      ++result;
+    if (second != Star_table::View::ABSENT)
+      ++result;
+    if (first == Star_table::View::OPPOSITE_ORIENTATION)
+      result |= FIRST_IS_FLIPPED;
+    if (second == Star_table::View::OPPOSITE_ORIENTATION)
+      result |= SECOND_IS_FLIPPED;
+    return static_cast<std::uint8_t>(result);
+  }
+
+  void revoke(Point_index center, Point_index a, Point_index b)
+  {
+    for (Slot s = m_stars.begin(center); s != m_stars.end(center); ++s) {
+      const Point_index c = m_stars.neighbor(s), d = m_stars.neighbor(m_stars.next(center, s));
+      if ((c == a && d == b) || (c == b && d == a))
+        m_slots[s] = 2;
+    }
+    m_is_agreed[center] = 0;
+  }
+
+  const Star_table& m_stars;
+  std::vector<std::uint8_t> m_slots;
+  std::vector<unsigned char> m_is_agreed;
+  Parity_union_find m_orientations;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_COMPATIBILITY_H
