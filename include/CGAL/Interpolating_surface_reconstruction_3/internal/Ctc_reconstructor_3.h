@@ -148,7 +148,7 @@ private:
   {
     std::size_t open = 0;
     for (Point_index p : loop)
-      open += builder.compatibility().is_star_open(p) ? 1 : 0;
+      open += builder.compatibility().is_star_open(p) ? 1u : 0u;
     return 2 * open > loop.size();
   }
 

@@ -170,7 +170,7 @@ private:
       std::uint32_t bits;
       std::memcpy(&bits, &m_squared_distances[i], sizeof bits);
       m_nearest[found] = (std::uint64_t(bits) << 32) | m_candidates[i];
-      found += (m_squared_distances[i] <= bound && m_candidates[i] != center) ? 1 : 0;
+      found += (m_squared_distances[i] <= bound && m_candidates[i] != center) ? 1u : 0u;
     }
     return found;
   }
