@@ -115,7 +115,7 @@ private:
       for (; i != order.size() && m_points[order[i]] == m_points[first]; ++i)
         any = any || is_used[order[i]];
       ++m_result.distinct_points;
-      m_result.used_points += any ? 1 : 0;
+      m_result.used_points += any ? 1u : 0u;
     }
   }
 
@@ -161,7 +161,7 @@ private:
     ++m_edges;
     std::size_t reversed = 0;
     for (std::size_t i = begin; i != end; ++i)
-      reversed += m_sides[i].is_reversed ? 1 : 0;
+      reversed += m_sides[i].is_reversed ? 1u : 0u;
     if (reversed > 1 || end - begin - reversed > 1)
       m_result.is_oriented = false;
     if (end - begin == 1)
@@ -191,8 +191,8 @@ private:
         ++fans[m_triangles[corner / 3][corner % 3]];
     std::size_t vertices = 0;
     for (std::size_t n : fans) {
-      vertices += n > 0 ? 1 : 0;
-      m_result.nonmanifold_vertices += n > 1 ? 1 : 0;
+      vertices += n > 0 ? 1u : 0u;
+      m_result.nonmanifold_vertices += n > 1 ? 1u : 0u;
     }
     m_result.euler_characteristic = static_cast<long>(vertices + m_triangles.size()) - static_cast<long>(m_edges);
   }
@@ -213,8 +213,8 @@ private:
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
       if (m_components.find(t) == t) {
         ++m_result.components;
-        m_result.closed_components += is_open[t] ? 0 : 1;
-        m_result.outward_components += !is_open[t] && volumes[t] > 0. ? 1 : 0;
+        m_result.closed_components += is_open[t] ? 0u : 1u;
+        m_result.outward_components += !is_open[t] && volumes[t] > 0. ? 1u : 0u;
       }
   }
 

@@ -44,7 +44,7 @@ public:
         boxes.emplace_back(point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(), t);
     std::size_t count = 0;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      count += do_intersect(a.info(), b.info()) ? 1 : 0;
+      count += do_intersect(a.info(), b.info()) ? 1u : 0u;
     });
     return count;
   }
