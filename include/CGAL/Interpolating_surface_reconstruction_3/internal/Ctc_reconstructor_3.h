@@ -20,6 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
@@ -73,7 +74,10 @@ public:
       return false;
     Star_compatibility compatibility = find_agreed_triangles(stars);
     Builder builder(compatibility, m_predicates);
-    attach_remaining_triangles(builder);
+    if (std::getenv("GROW"))
+      attach_remaining_triangles(builder);
+    else
+      complete_conflicts(octree, builder);
     close_holes(octree, builder);
     return !m_progress.is_cancelled() && write_oriented(builder, output);
   }
@@ -121,6 +125,18 @@ private:
     std::size_t attached = 0;
     Triangle_attachment<Builder> attach(m_cloud.positions(), builder);
     attach(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
+      attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      report(t, verdict);
+    });
+    m_progress.end_stage(attached);
+  }
+
+  void complete_conflicts(const Point_octree_3& octree, Builder& builder)
+  {
+    m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
+    std::size_t attached = 0;
+    Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
+    complete(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
       report(t, verdict);
     });

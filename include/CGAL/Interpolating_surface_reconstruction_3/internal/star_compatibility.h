@@ -28,9 +28,10 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // How compatible the stars are (thesis 4.2.1): for each triangle of each star, the number of its
-// vertices whose stars contain it. A triangle with three votes is agreed; a point is agreed if its
-// star is closed and all its triangles are. At an agreed point the surface is the star, and an edge
-// has at most two agreed triangles, because a star has two triangles at an edge.
+// vertices whose stars contain it. A point is agreed if its star is closed and all its triangles have
+// three votes; a triangle is agreed if it has three votes and touches an agreed point. At an agreed
+// point the surface is the star, and an edge has at most two agreed triangles, because a star has
+// two triangles at an edge.
 class Star_compatibility
 {
 public:
@@ -48,6 +49,10 @@ public:
     for_each_block<ConcurrencyTag>(m_stars.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p != end; ++p)
         count_votes_at(static_cast<Point_index>(p), predicates);
+    });
+    for_each_block<ConcurrencyTag>(m_stars.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p != end; ++p)
+        find_agreed_triangles_at(static_cast<Point_index>(p));
     });
   }
 
@@ -85,7 +90,7 @@ public:
   }
 
   int votes(Slot s) const { return m_slots[s] & VOTES; }
-  bool is_triangle_agreed(Slot s) const { return votes(s) == 3; }
+  bool is_triangle_agreed(Slot s) const { return (m_slots[s] & AGREED) != 0; }
 
   // Calls visit(slot, p, a, b) for the agreed triangles of the star of p, oriented like that star.
   template <typename Visit>
@@ -100,7 +105,7 @@ public:
   Parity_union_find& orientations() { return m_orientations; }
 
 private:
-  static constexpr std::uint8_t VOTES = 3, FIRST_IS_FLIPPED = 4, SECOND_IS_FLIPPED = 8;
+  static constexpr std::uint8_t VOTES = 3, FIRST_IS_FLIPPED = 4, SECOND_IS_FLIPPED = 8, AGREED = 16;
 
   template <typename Predicates>
   void count_votes_at(Point_index p, const Predicates& predicates)
@@ -113,9 +118,17 @@ private:
         if (!predicates.is_degenerate(p, a, b))
           m_slots[s] = ballot(m_stars.view(a, b, p), m_stars.view(b, p, a));
       }
-      is_agreed = is_agreed && is_triangle_agreed(s);
+      is_agreed = is_agreed && votes(s) == 3;
     }
     m_is_agreed[p] = is_agreed ? 1 : 0;
+  }
+
+  void find_agreed_triangles_at(Point_index p)
+  {
+    for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s)
+      if (votes(s) == 3 && (is_point_agreed(p) || is_point_agreed(m_stars.neighbor(s)) ||
+                            is_point_agreed(m_stars.neighbor(m_stars.next(p, s)))))
+        m_slots[s] |= AGREED;
   }
 
   static std::uint8_t ballot(Star_table::View first, Star_table::View second)
@@ -137,7 +150,7 @@ private:
     for (Slot s = m_stars.begin(center); s != m_stars.end(center); ++s) {
       const Point_index c = m_stars.neighbor(s), d = m_stars.neighbor(m_stars.next(center, s));
       if ((c == a && d == b) || (c == b && d == a))
-        m_slots[s] = 2;
+        m_slots[s] = static_cast<std::uint8_t>(m_slots[s] & ~AGREED);
     }
     m_is_agreed[center] = 0;
   }

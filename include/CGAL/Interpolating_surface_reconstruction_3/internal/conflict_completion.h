@@ -1,0 +1,309 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_CONFLICT_COMPLETION_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_CONFLICT_COMPLETION_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <iostream>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Completes the surface where charts conflict (thesis 6.3, "Compatibility"): the conflicting points
+// and the surface around them are triangulated by Delaunay tetrahedra, these are labelled inside
+// and outside by the votes of the stars, and the facets between the labels are the surface.
+template <typename Builder>
+class Conflict_completion
+{
+public:
+  Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
+    : m_points(points), m_octree(octree), m_builder(builder), m_neighbors(points, octree, maximum_radius)
+  { }
+
+  template <typename Progress, typename OnVerdict>
+  void operator()(Progress& progress, OnVerdict on_verdict)
+  {
+    find_conflicts();
+    const std::vector<std::vector<std::size_t> > clusters = find_clusters();
+    std::size_t done = 0;
+    for (const std::vector<std::size_t>& cluster : clusters) {
+      complete(cluster, on_verdict);
+      done += cluster.size();
+      if (!progress.advance(double(done) / double(m_conflicts.size())))
+        return;
+    }
+  }
+
+private:
+  using Triangle = typename Builder::Triangle;
+  using Facet = std::array<Point_index, 3>;
+  using Cell_index = Cell_complex::Cell_index;
+
+  // Weight of a facet that is known to be on the surface, or negative, known not to be.
+  static constexpr double CERTAIN = 20.;
+
+  // Whether the surface at the point is one closed fan.
+  bool is_complete(Point_index p) const
+  {
+    if (!m_builder.is_open(p))
+      return true;
+    const auto& corners = m_builder.corners(p);
+    if (corners.empty())
+      return false;
+    const auto fan = m_builder.fan_from(p, corners[0].a);
+    return fan.end == corners[0].a && fan.size == corners.size();
+  }
+
+  void find_conflicts()
+  {
+    m_conflict_of.assign(m_points.size(), NO_POINT);
+    for (Point_index p : m_builder.open_points())
+      if (!is_complete(p))
+        m_conflicts.push_back(p);
+    std::sort(m_conflicts.begin(), m_conflicts.end());
+    for (std::size_t i = 0; i != m_conflicts.size(); ++i)
+      m_conflict_of[m_conflicts[i]] = static_cast<Point_index>(i);
+  }
+
+  bool is_conflict(Point_index p) const { return m_conflict_of[p] != NO_POINT; }
+
+  // The points around a conflict that its completion must see: its neighbors, its link, and the
+  // links of all of them.
+  void surroundings(Point_index p, std::vector<Point_index>& result)
+  {
+    result.assign(1, p);
+    Point_octree_3::Node leaf = m_octree.node(m_octree.leaf_of(p));
+    leaf.begin = p;
+    leaf.end = p + 1;
+    m_neighbors.for_each_point(leaf, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
+    result.insert(result.end(), m_neighbors.indices().begin(), m_neighbors.indices().end());
+    add_link(p, result);
+    const std::size_t inner = result.size();
+    for (std::size_t i = 0; i != inner; ++i)
+      add_link(result[i], result);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+  }
+
+  void add_link(Point_index p, std::vector<Point_index>& result) const
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+      if (stars.neighbor(s) != NO_POINT)
+        result.push_back(stars.neighbor(s));
+  }
+
+  // Conflicts that see each other, as positions in m_conflicts.
+  std::vector<std::vector<std::size_t> > find_clusters()
+  {
+    Parity_union_find sets(m_conflicts.size());
+    m_surroundings.resize(m_conflicts.size());
+    for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
+      surroundings(m_conflicts[i], m_surroundings[i]);
+      for (Point_index q : m_surroundings[i])
+        if (is_conflict(q))
+          sets.unite(static_cast<Point_index>(i), m_conflict_of[q], false);
+    }
+    std::vector<std::size_t> cluster_of(m_conflicts.size(), 0);
+    std::vector<std::vector<std::size_t> > clusters;
+    for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
+      const std::size_t root = sets.find(static_cast<Point_index>(i)).root;
+      if (root == i) {
+        cluster_of[i] = clusters.size();
+        clusters.emplace_back();
+      }
+      clusters[cluster_of[root]].push_back(i);
+    }
+    return clusters;
+  }
+
+  template <typename OnVerdict>
+  void complete(const std::vector<std::size_t>& cluster, OnVerdict on_verdict)
+  {
+    std::vector<Point_index> sites;
+    for (std::size_t i : cluster) {
+      sites.insert(sites.end(), m_surroundings[i].begin(), m_surroundings[i].end());
+      std::vector<Point_index>().swap(m_surroundings[i]);
+    }
+    std::sort(sites.begin(), sites.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    const Cell_complex cells(m_points, sites);
+    if (cells.size() == 0)
+      return;
+    find_complete_sites(cells, sites);
+    compute_spheres(cells);
+    Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); });
+    Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2);
+    const std::size_t defective = repair(); if (std::getenv("DBG") && defective) std::cerr << "cluster " << cluster.size() << " sites " << sites.size() << " defective " << defective << "\n";
+    attach(cells, labelling, on_verdict);
+  }
+
+  bool has_triangle(const Facet& f) const
+  {
+    if (m_builder.is_open(f[0]))
+      return m_builder.find_triangle(f[0], f[1], f[2]) != Builder::NO_TRIANGLE;
+    return m_builder.compatibility().stars().view(f[0], f[1], f[2]) != Star_table::View::ABSENT;
+  }
+
+  // A site is certain if its fan is closed and made of facets of the cells.
+  void find_complete_sites(const Cell_complex& cells, const std::vector<Point_index>& sites)
+  {
+    m_sites = sites;
+    m_facets_at.assign(sites.size(), 0);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        const Facet f = Cell_complex::facet(cells[c], i);
+        if (cells[c].neighbors[i] < c || is_infinite(f) || !has_triangle(f))
+          continue;
+        for (Point_index p : f)
+          ++m_facets_at[site(p)];
+      }
+    for (std::size_t s = 0; s != sites.size(); ++s) {
+      std::size_t triangles = 0;
+      m_builder.for_each_triangle_at(sites[s], [&](const Triangle&) { ++triangles; });
+      m_facets_at[s] = !is_conflict(sites[s]) && m_facets_at[s] == triangles ? 1 : 0;
+    }
+  }
+
+  std::size_t site(Point_index p) const
+  {
+    return static_cast<std::size_t>(std::lower_bound(m_sites.begin(), m_sites.end(), p) - m_sites.begin());
+  }
+  bool is_certain(Point_index p) const { return m_facets_at[site(p)] != 0; }
+  static bool is_infinite(const Facet& f) { return f[0] == NO_POINT || f[1] == NO_POINT || f[2] == NO_POINT; }
+
+  struct Sphere { Local_point center; double radius; };
+
+  void compute_spheres(const Cell_complex& cells)
+  {
+    m_spheres.resize(cells.size());
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      if (!Cell_complex::is_infinite(cells[c]))
+        m_spheres[c] = circumsphere(cells[c].vertices);
+  }
+
+  Sphere circumsphere(const std::array<Point_index, 4>& v) const
+  {
+    const Local_point& o = m_points[v[0]];
+    const Local_vector a = m_points[v[1]] - o, b = m_points[v[2]] - o, c = m_points[v[3]] - o;
+    const Local_vector numerator = a.squared_length() * cross_product(b, c) + b.squared_length() * cross_product(c, a) +
+                                   c.squared_length() * cross_product(a, b);
+    const Local_vector offset = numerator / (2. * (cross_product(a, b) * c));
+    return Sphere{ o + offset, std::sqrt(offset.squared_length()) };
+  }
+
+  // How the facet wants the labels of its cells to differ: known, or from the votes of the stars and
+  // from the angle at which the circumscribed spheres of the cells meet (Amenta, Choi and Kolluri,
+  // The power crust, 2001).
+  double weight(const Cell_complex& cells, Cell_index c, std::size_t i) const
+  {
+    const Facet f = Cell_complex::facet(cells[c], i);
+    if (is_infinite(f)) {
+      for (Point_index p : f)
+        if (p != NO_POINT && (is_conflict(p) || is_certain(p)))
+          return -CERTAIN;
+      return 0.;
+    }
+    if (has_triangle(f))
+      return CERTAIN;
+    if (is_certain(f[0]) || is_certain(f[1]) || is_certain(f[2]))
+      return -CERTAIN;
+    constexpr double trust[4] = { -1., -.2, .2, 1.5 };
+    return trust[votes(f)] - cosine_of_spheres(cells, f, c, cells[c].neighbors[i]);
+  }
+
+  std::size_t votes(const Facet& f) const
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    std::size_t result = 0;
+    for (std::size_t i = 0; i != 3; ++i)
+      if (stars.view(f[i], f[(i + 1) % 3], f[(i + 2) % 3]) != Star_table::View::ABSENT)
+        ++result;
+    return result;
+  }
+
+  double cosine_of_spheres(const Cell_complex& cells, const Facet& f, Cell_index c, Cell_index d) const
+  {
+    const double x = height(cells, f, c), y = height(cells, f, d);
+    return std::sqrt((1. - x * x) * (1. - y * y)) - x * y;
+  }
+
+  // Signed distance of the center of the cell's sphere to the facet, towards the cell, over the radius.
+  double height(const Cell_complex& cells, const Facet& f, Cell_index c) const
+  {
+    if (Cell_complex::is_infinite(cells[c]))
+      return 1.;
+    Point_index apex = NO_POINT;
+    for (Point_index p : cells[c].vertices)
+      if (p != f[0] && p != f[1] && p != f[2])
+        apex = p;
+    const Local_point& o = m_points[f[0]];
+    const Local_vector n = cross_product(m_points[f[1]] - o, m_points[f[2]] - o);
+    const double side = n * (m_points[apex] - o) < 0. ? -1. : 1.;
+    const double length = std::sqrt(n.squared_length()) * m_spheres[c].radius;
+    const double value = side * (n * (m_spheres[c].center - o)) / length;
+    return value >= -1. && value <= 1. ? value : value > 1. ? 1. : -1.;
+  }
+
+  template <typename OnVerdict>
+  void attach(const Cell_complex& cells, const Cell_labelling& labelling, OnVerdict on_verdict)
+  {
+    std::vector<Triangle> surface;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        Facet f = Cell_complex::facet(cells[c], i);
+        if (cells[c].neighbors[i] < c || is_infinite(f) || !labelling.is_surface(c, i) || has_triangle(f) ||
+            !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
+          continue;
+        std::sort(f.begin(), f.end());
+        surface.push_back(f);
+      }
+    std::sort(surface.begin(), surface.end());
+    for (const Triangle& t : surface)
+      on_verdict(t, m_builder.try_add(t[0], t[1], t[2]));
+  }
+
+  // Two rings of a regular sample hold 18 points.
+  static constexpr std::size_t NEIGHBORS = 16;
+
+  const std::vector<Local_point>& m_points;
+  const Point_octree_3& m_octree;
+  Builder& m_builder;
+  Nearest_neighbors m_neighbors;
+  std::vector<Point_index> m_conflicts;                  // increasing
+  std::vector<Point_index> m_conflict_of;                // position in m_conflicts, or NO_POINT
+  std::vector<std::vector<Point_index> > m_surroundings; // of each conflict
+  std::vector<Point_index> m_sites;                      // of the current cluster, increasing
+  std::vector<std::size_t> m_facets_at;                  // of each site
+  std::vector<Sphere> m_spheres;                         // of the cells
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_CONFLICT_COMPLETION_H

@@ -1,0 +1,232 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABELLING_REPAIR_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABELLING_REPAIR_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Changes labels of cells until the surface between the labels is a manifold through all points of a
+// scope. At a point, the surface is a manifold if the cells of each label around the point are
+// connected by facets at the point and there are cells of both labels.
+class Labelling_repair
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+
+  // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`.
+  template <typename IsInScope>
+  Labelling_repair(const Cell_complex& cells, Cell_labelling& labelling, const IsInScope& is_in_scope, double maximum_loss)
+    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_position(cells.size(), 0)
+  {
+    collect_vertices(is_in_scope);
+  }
+
+  // Returns the number of points at which the surface is no manifold in the end.
+  std::size_t operator()()
+  {
+    std::vector<std::size_t> todo;
+    for (std::size_t v = m_points.size(); v-- != 0; )
+      todo.push_back(v);
+    std::vector<unsigned char> is_queued(m_points.size(), 1);
+    while (!todo.empty()) {
+      const std::size_t v = todo.back();
+      todo.pop_back();
+      is_queued[v] = 0;
+      if (defects(v) == 0 || !improve(v))
+        continue;
+      for (Cell_index c : m_best.cells)
+        for (std::size_t w : m_cell_vertices[c])
+          if (w != NONE && !is_queued[w]) {
+            is_queued[w] = 1;
+            todo.push_back(w);
+          }
+    }
+    std::size_t defective = 0;
+    for (std::size_t v = 0; v != m_points.size(); ++v)
+      defective += defects(v) != 0 ? 1 : 0;
+    return defective;
+  }
+
+private:
+  static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
+
+  // Cells to change together, and what that brings.
+  struct Move
+  {
+    std::vector<Cell_index> cells;
+    int defects;
+    double gain;
+  };
+
+  template <typename IsInScope>
+  void collect_vertices(const IsInScope& is_in_scope)
+  {
+    for (std::size_t c = 0; c != m_cells.size(); ++c)
+      for (Point_index p : m_cells[c].vertices)
+        if (p != NO_POINT && is_in_scope(p))
+          m_points.push_back(p);
+    std::sort(m_points.begin(), m_points.end());
+    m_points.erase(std::unique(m_points.begin(), m_points.end()), m_points.end());
+    m_begin.assign(m_points.size() + 1, 0);
+    m_cell_vertices.resize(m_cells.size());
+    for (std::size_t c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        const auto it = std::lower_bound(m_points.begin(), m_points.end(), m_cells[c].vertices[i]);
+        const bool is_found = it != m_points.end() && *it == m_cells[c].vertices[i];
+        m_cell_vertices[c][i] = is_found ? std::size_t(it - m_points.begin()) : NONE;
+        if (is_found)
+          ++m_begin[m_cell_vertices[c][i] + 1];
+      }
+    for (std::size_t v = 0; v != m_points.size(); ++v)
+      m_begin[v + 1] += m_begin[v];
+    m_around.resize(m_begin.back());
+    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
+    for (std::size_t c = 0; c != m_cells.size(); ++c)
+      for (std::size_t v : m_cell_vertices[c])
+        if (v != NONE)
+          m_around[next[v]++] = static_cast<Cell_index>(c);
+  }
+
+  // Finds the components of equal labels around vertex v: m_component[k] for the k-th cell around it.
+  std::size_t find_components(std::size_t v)
+  {
+    const std::size_t size = m_begin[v + 1] - m_begin[v];
+    m_component.assign(size, NONE);
+    for (std::size_t k = 0; k != size; ++k)
+      m_position[m_around[m_begin[v] + k]] = k;
+    std::size_t components = 0;
+    for (std::size_t k = 0; k != size; ++k) {
+      if (m_component[k] != NONE)
+        continue;
+      m_component[k] = components;
+      m_stack.assign(1, k);
+      while (!m_stack.empty()) {
+        const Cell_index c = m_around[m_begin[v] + m_stack.back()];
+        m_stack.pop_back();
+        for (std::size_t i = 0; i != 4; ++i) {
+          if (m_cell_vertices[c][i] == v)
+            continue;
+          const Cell_index n = m_cells[c].neighbors[i];
+          const std::size_t position = m_position[n];
+          if (m_component[position] == NONE && m_labelling.label(n) == m_labelling.label(c)) {
+            m_component[position] = components;
+            m_stack.push_back(position);
+          }
+        }
+      }
+      ++components;
+    }
+    return components;
+  }
+
+  // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
+  int defects(std::size_t v)
+  {
+    const int components = static_cast<int>(find_components(v));
+    return components == 1 ? 1 : components - 2;
+  }
+
+  // Makes the best of the moves at vertex v that lessen the defects; false if there is none.
+  bool improve(std::size_t v)
+  {
+    m_best = Move{ {}, 0, 0. };
+    const std::size_t components = find_components(v);
+    const std::size_t size = m_begin[v + 1] - m_begin[v];
+    std::vector<std::vector<Cell_index> > moves(components);
+    for (std::size_t k = 0; k != size; ++k)
+      moves[m_component[k]].push_back(m_around[m_begin[v] + k]);
+    for (std::size_t k = 0; k != size; ++k)
+      moves.push_back({ m_around[m_begin[v] + k] });
+    if (!try_moves(moves) && !try_moves(pairs_around(v)))
+      return false;
+    for (Cell_index c : m_best.cells)
+      m_labelling.flip(c);
+    return true;
+  }
+
+  bool try_moves(const std::vector<std::vector<Cell_index> >& moves)
+  {
+    for (const std::vector<Cell_index>& cells : moves)
+      try_move(cells);
+    return !m_best.cells.empty();
+  }
+
+  // Adjacent cells of one label, the first at vertex v.
+  std::vector<std::vector<Cell_index> > pairs_around(std::size_t v) const
+  {
+    std::vector<std::vector<Cell_index> > result;
+    for (std::size_t k = m_begin[v]; k != m_begin[v + 1]; ++k)
+      for (Cell_index n : m_cells[m_around[k]].neighbors)
+        if (m_labelling.label(n) == m_labelling.label(m_around[k]))
+          result.push_back({ m_around[k], n });
+    return result;
+  }
+
+  void try_move(const std::vector<Cell_index>& cells)
+  {
+    double gain = 0.;
+    for (Cell_index c : cells) {
+      gain += m_labelling.gain(c);
+      m_labelling.flip(c);
+    }
+    if (gain > -m_maximum_loss) {
+      m_touched.clear();
+      for (Cell_index c : cells)
+        for (std::size_t w : m_cell_vertices[c])
+          if (w != NONE)
+            m_touched.push_back(w);
+      std::sort(m_touched.begin(), m_touched.end());
+      m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+      int change = 0;
+      for (std::size_t w : m_touched)
+        change += defects(w);
+      for (Cell_index c : cells)
+        m_labelling.flip(c);
+      for (std::size_t w : m_touched)
+        change -= defects(w);
+      if (change < 0 && (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && gain > m_best.gain)))
+        m_best = Move{ cells, change, gain };
+      return;
+    }
+    for (Cell_index c : cells)
+      m_labelling.flip(c);
+  }
+
+  const Cell_complex& m_cells;
+  Cell_labelling& m_labelling;
+  double m_maximum_loss;
+  std::vector<Point_index> m_points;                            // of the scope, increasing
+  std::vector<std::size_t> m_begin;                             // cells around each point, in m_around
+  std::vector<Cell_index> m_around;
+  std::vector<std::array<std::size_t, 4> > m_cell_vertices;     // positions in m_points, or NONE
+  std::vector<std::size_t> m_position, m_component, m_stack, m_touched;
+  Move m_best;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABELLING_REPAIR_H
