@@ -150,11 +150,12 @@ struct Indexed_points
   const Point_octree_3 octree;
 };
 
-// The links of all stars, as indices of points or GAP, with the stars' normals.
+// The links of all stars, as indices of points or GAP, with the stars' normals and certainty.
 struct Stars
 {
   std::vector<std::vector<Point_index>> links;
   std::vector<Local_vector> normals;
+  std::vector<bool> certain;
 
   bool is_closed(std::size_t p) const
   {
@@ -167,7 +168,8 @@ struct Stars
     std::map<std::array<Point_index, 3>, int> votes;
     for (std::size_t p = 0; p != links.size(); ++p)
       for (std::size_t i = 0; i != links[p].size(); ++i) {
-        std::array<Point_index, 3> t = { Point_index(p), links[p][i], links[p][(i + 1) % links[p].size()] };
+        std::array<Point_index, 3> t = { Point_index(p), links[p][i],
+                                         links[p][(i + 1) % links[p].size()] };
         std::sort(t.begin(), t.end());
         if (t[2] != GAP)
           ++votes[t];
@@ -185,7 +187,9 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
   Stars result;
   result.links.resize(indexed.points.size());
   result.normals.resize(indexed.points.size());
-  Neighborhoods neighborhoods(indexed.points, indexed.octree, std::numeric_limits<double>::infinity());
+  result.certain.resize(indexed.points.size());
+  Neighborhoods neighborhoods(indexed.points, indexed.octree,
+                              std::numeric_limits<double>::infinity());
   ISR::Point_star star;
   for (std::uint32_t leaf : indexed.octree.leaves())
     neighborhoods.for_each_point(
@@ -197,6 +201,7 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
         for (std::uint32_t i : star.link)
           result.links[p].push_back(i == GAP ? NO_POINT : neighborhoods.indices()[i]);
         result.normals[p] = star.normal;
+        result.certain[p] = is_certain;
         return is_certain;
       });
   return result;

@@ -12,27 +12,30 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr std::size_t ALL = 1000000;
 
 // Neighborhoods of all points, after the checks that every neighborhood has to pass.
-std::vector<std::vector<Point_index>> neighborhoods(const Indexed_points& indexed, double maximum_radius, std::size_t maximum_size)
+std::vector<std::vector<Point_index>> neighborhoods(const Indexed_points& indexed,
+                                                    double maximum_radius, std::size_t maximum_size)
 {
   std::vector<std::vector<Point_index>> result(indexed.points.size());
   std::vector<int> visits(indexed.points.size(), 0);
   Box_neighborhoods boxes(indexed.points, indexed.octree, maximum_radius);
   for (std::uint32_t leaf : indexed.octree.leaves())
-    boxes.for_each_point(indexed.octree.node(leaf), 16, maximum_size, [&](Point_index p, const ISR::Star_neighborhood& n) {
-      ++visits[p];
-      assert(n.size() == boxes.indices().size() && n.size() <= maximum_size);
-      for (std::size_t i = 0; i != n.size(); ++i) {
-        assert(boxes.indices()[i] != p);
-        assert(n[i] == indexed.points[boxes.indices()[i]] - indexed.points[p]);
-        assert(n[i].squared_length() <= maximum_radius * maximum_radius);
-        assert(i == 0 || n[i - 1].squared_length() <= n[i].squared_length());
-      }
-      assert(n.squared_radius() == 0.);
-      result[p] = boxes.indices();
-      std::sort(result[p].begin(), result[p].end());
-      assert(std::adjacent_find(result[p].begin(), result[p].end()) == result[p].end());
-      return false; // asking for more is of no use
-    });
+    boxes.for_each_point(indexed.octree.node(leaf), 16, maximum_size,
+                         [&](Point_index p, const ISR::Star_neighborhood& n) {
+                           ++visits[p];
+                           assert(n.size() == boxes.indices().size() && n.size() <= maximum_size);
+                           for (std::size_t i = 0; i != n.size(); ++i) {
+                             assert(boxes.indices()[i] != p);
+                             assert(n[i] == indexed.points[boxes.indices()[i]] - indexed.points[p]);
+                             assert(n[i].squared_length() <= maximum_radius * maximum_radius);
+                             assert(i == 0 || n[i - 1].squared_length() <= n[i].squared_length());
+                           }
+                           assert(n.squared_radius() == 0.);
+                           result[p] = boxes.indices();
+                           std::sort(result[p].begin(), result[p].end());
+                           assert(std::adjacent_find(result[p].begin(), result[p].end()) ==
+                                  result[p].end());
+                           return false; // asking for more is of no use
+                         });
   for (int v : visits)
     assert(v == 1);
   return result;
@@ -133,7 +136,8 @@ void test_limits()
     for (Point_index q : few[p])
       farthest = (std::max)(farthest, CGAL::squared_distance(indexed.points[p], indexed.points[q]));
     for (Point_index q : all[p])
-      assert(contains(few[p], q) || CGAL::squared_distance(indexed.points[p], indexed.points[q]) >= farthest);
+      assert(contains(few[p], q) ||
+             CGAL::squared_distance(indexed.points[p], indexed.points[q]) >= farthest);
   }
 }
 
@@ -148,7 +152,8 @@ void test_coincident_points()
   for (const std::vector<Point_index>& n : neighborhoods(indexed, INFINITE, ALL))
     total += n.size();
   assert(total <= indexed.points.size() * 27 * OCTREE_LEAF_SIZE);
-  for (const std::vector<Point_index>& n : neighborhoods(Indexed_points(std::vector<Local_point>(100, Local_point(1, 1, 1))), INFINITE, ALL))
+  for (const std::vector<Point_index>& n : neighborhoods(
+           Indexed_points(std::vector<Local_point>(100, Local_point(1, 1, 1))), INFINITE, ALL))
     assert(n.size() <= OCTREE_LEAF_SIZE);
 }
 
@@ -156,7 +161,8 @@ void test_tiny_clouds()
 {
   assert(neighborhoods(Indexed_points({}), INFINITE, ALL).empty());
   assert(neighborhoods(Indexed_points({ Local_point(1, 2, 3) }), INFINITE, ALL)[0].empty());
-  const auto two = neighborhoods(Indexed_points({ Local_point(1, 2, 3), Local_point(0, 0, 0) }), INFINITE, ALL);
+  const auto two =
+      neighborhoods(Indexed_points({ Local_point(1, 2, 3), Local_point(0, 0, 0) }), INFINITE, ALL);
   assert(two[0].size() == 1 && two[1].size() == 1);
 }
 

@@ -60,8 +60,8 @@ private:
   // The plane of a flatter triangle is a matter of rounding.
   static constexpr double LEAST_REGULARITY = 1. + 1e-9;
 
-  // Where the third vertex of a triangle may lie: in front of up to two planes through P0. The first
-  // point of the star lies on one of them, and is welcome as soon as it can close the star.
+  // Where the third vertex of a triangle may lie: in front of up to two planes through P0. The
+  // first point of the star lies on one of them, and is welcome as soon as it can close the star.
   struct Subspace
   {
     std::array<Local_vector, 2> normals;
@@ -122,7 +122,8 @@ private:
     return false;
   }
 
-  // Beyond the last edge; and beyond the first edge too as soon as that comes into view (Fig. 3.4c).
+  // Beyond the last edge; and beyond the first edge too as soon as that comes into view (Fig.
+  // 3.4c).
   Subspace subspace_of_next_triangle() const
   {
     const std::size_t n = m_link.size();
@@ -178,8 +179,8 @@ private:
     return 2. * sine_of_half * std::sqrt(1. - sine_of_half * sine_of_half);
   }
 
-  // Starting with Pk, looks at the points closer to the edge as third vertices: approaching the edge
-  // point by point makes far more stars agree than looking at the closest point first.
+  // Starting with Pk, looks at the points closer to the edge as third vertices: approaching the
+  // edge point by point makes far more stars agree than looking at the closest point first.
   Neighbor closest_fitting(Neighbor end, Neighbor pk, const Subspace& subspace) const
   {
     double distance = distance_to_edge(end, pk);
@@ -266,8 +267,8 @@ private:
 /*!
 \ingroup PkgInterpolatingSurfaceReconstruction3Ref
 
-The star of a point that grows triangle by triangle around the point, as described in Section 3.3.1 of
-the thesis on which this package is based.
+The star of a point that grows triangle by triangle around the point, as described in Section 3.3.1
+of the thesis on which this package is based.
 
 The initial triangle has the edge to the nearest neighbor; every further triangle is attached to the
 last edge of the star until it reaches the first edge. The third vertex of each triangle is

@@ -181,7 +181,8 @@ private:
     const std::size_t n = (std::min)(neighborhood.size(), NORMAL_NEIGHBORS);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    const double scale = n == 0 ? 1. : 1. / std::sqrt(neighborhood[n - 1].squared_length());
+    const double farthest = n == 0 ? 0. : neighborhood[n - 1].squared_length();
+    const double scale = farthest > 0. ? 1. / std::sqrt(farthest) : 1.; // all may coincide in double
     for (std::size_t i = 0; i != n; ++i) {
       const Vector_3& d = neighborhood[i];
       const Eigen::Vector3d v(d.x() * scale, d.y() * scale, d.z() * scale);

@@ -29,14 +29,15 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// The neighborhoods of 4.3.2: all points of a leaf have the same neighbors, namely the points of the
-// leaf and of those adjacent leaves whose enlarged boxes intersect the leaf's enlarged box. One
+// The neighborhoods of 4.3.2: all points of a leaf have the same neighbors, namely the points of
+// the leaf and of those adjacent leaves whose enlarged boxes intersect the leaf's enlarged box. One
 // object serves one thread; its buffers are kept from leaf to leaf.
 class Box_neighborhoods
 {
 public:
   // No point farther than `maximum_radius` is a neighbor.
-  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
+  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree,
+                    double maximum_radius)
     : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius)
   { }
 
@@ -46,7 +47,8 @@ public:
   // Calls visit(p, neighborhood) once for each point p of the leaf, with its neighbors or with the
   // `maximum_size` nearest of them. Asking for more has no effect: the boxes decide.
   template <typename Visit>
-  void for_each_point(const Point_octree_3::Node& leaf, std::size_t /* size */, std::size_t maximum_size, Visit visit)
+  void for_each_point(const Point_octree_3::Node& leaf, std::size_t /* size */,
+                      std::size_t maximum_size, Visit visit)
   {
     gather(leaf);
     for (Point_index p = leaf.begin; p != leaf.end; ++p) {
@@ -73,14 +75,15 @@ private:
 
   static Local_box cell_box(const Octree_cube& cell)
   {
-    return Local_box{ { cell.origin[0], cell.origin[1], cell.origin[2] },
-                      { cell.origin[0] + cell.size, cell.origin[1] + cell.size, cell.origin[2] + cell.size } }
-      .enlarged(cell.size * ROUNDING);
+    return Local_box{
+      { cell.origin[0], cell.origin[1], cell.origin[2] },
+      { cell.origin[0] + cell.size, cell.origin[1] + cell.size, cell.origin[2] + cell.size }
+    }.enlarged(cell.size * ROUNDING);
   }
 
   // The cube around the center of the leaf's tight box. Its half side, not its side as one may also
-  // read 4.3.2, is twice the distance from the center to the nearest corner of the cell, which counts
-  // at least as far as the corners of the box. Half of it cuts leaves off where points and
+  // read 4.3.2, is twice the distance from the center to the nearest corner of the cell, which
+  // counts at least as far as the corners of the box. Half of it cuts leaves off where points and
   // cells are aligned, because the gap between two boxes is then wider than what they gain.
   static Local_box enlarged_box(const Point_octree_3::Node& leaf)
   {
@@ -94,7 +97,8 @@ private:
       squared_to_box += to_box * to_box;
       squared_to_cell += to_cell * to_cell;
     }
-    return Local_box{ center, center }.enlarged(2. * std::sqrt((std::max)(squared_to_box, squared_to_cell)));
+    return Local_box{ center, center }.enlarged(
+        2. * std::sqrt((std::max)(squared_to_box, squared_to_cell)));
   }
 
   // Points of the leaf and of its neighbors.
@@ -134,7 +138,8 @@ private:
         m_neighbors.push_back(Neighbor{ squared_distance, i });
     }
     if (m_neighbors.size() > maximum_size) {
-      std::nth_element(m_neighbors.begin(), m_neighbors.begin() + std::ptrdiff_t(maximum_size), m_neighbors.end());
+      std::nth_element(m_neighbors.begin(), m_neighbors.begin() + std::ptrdiff_t(maximum_size),
+                       m_neighbors.end());
       m_neighbors.resize(maximum_size);
     }
     std::sort(m_neighbors.begin(), m_neighbors.end());

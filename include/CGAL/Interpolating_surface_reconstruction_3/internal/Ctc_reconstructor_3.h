@@ -28,6 +28,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_attachment.h>
 
+#include <chrono>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -135,6 +136,10 @@ private:
   {
     m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
     std::size_t attached = 0;
+    { auto t0=std::chrono::steady_clock::now();
+    if (!std::getenv("NOPLANAR")) Hole_closing<Builder>(m_cloud.positions(), builder, m_options.maximum_hole_size).close_planar_loops([&](const typename Builder::Triangle& t, Triangle_verdict verdict) { attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
+      report(t, verdict);});
+      if(std::getenv("DBG")) std::cerr<<"planar "<<attached<<" ms "<<1e3*std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count()<<"\n"; }
     Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
     complete(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1 : 0;

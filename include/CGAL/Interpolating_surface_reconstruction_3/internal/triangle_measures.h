@@ -38,20 +38,24 @@ inline double cosine(const Local_vector& u, const Local_vector& v)
   return lengths > 0. ? (std::min)(1., (std::max)(-1., u * v / lengths)) : 0.;
 }
 
-// Eq. 3.1: the sum of the cosines of the angles of a triangle. It is 1.5 if all sides are equal, 1 if
-// the triangle is degenerate, and 0 if its vertices coincide.
+// Eq. 3.10, 3.11: the regularity of an equilateral triangle.
+constexpr double MAXIMUM_REGULARITY = 1.5;
+
+// Eq. 3.1: the sum of the cosines of the angles of a triangle. It is 1.5 if all sides are equal, 1
+// if the triangle is degenerate, and 0 if its vertices coincide.
 template <typename Location>
 double regularity(const Location& p, const Location& q, const Location& r)
 {
   return cosine(q - p, r - p) + cosine(r - q, p - q) + cosine(p - r, q - r);
 }
 
-// Eq. 3.2 for the points p and q on one side of the edge ab: whether the triangle (a, b, p) belongs to
-// the more regular of the two triangulations of the quadrilateral. The wider angle at the edge
-// tells which of p and q is next to a; the two triangulations are those of that quadrilateral, because
-// the other order of the vertices makes it cross itself. A tie goes to p.
+// Eq. 3.2 for the points p and q on one side of the edge ab: whether the triangle (a, b, p) belongs
+// to the more regular of the two triangulations of the quadrilateral. The wider angle at the edge
+// tells which of p and q is next to a; the two triangulations are those of that quadrilateral,
+// because the other order of the vertices makes it cross itself. A tie goes to p.
 template <typename Location>
-bool is_first_more_regular(const Location& a, const Location& b, const Location& p, const Location& q)
+bool is_first_more_regular(const Location& a, const Location& b, const Location& p,
+                           const Location& q)
 {
   const bool is_p_next_to_a = cosine(b - a, p - a) < cosine(b - a, q - a);
   // The diagonal from the first candidate ends at the end of the edge that is next to the second.
@@ -66,18 +70,20 @@ bool is_first_more_regular(const Location& a, const Location& b, const Location&
 // (a, b, c) and (b, a, d): 1 if they continue each other, -1 if they are folded onto each other or
 // if one is degenerate and has no plane.
 template <typename Location>
-double cosine_of_supplementary_angle(const Location& a, const Location& b, const Location& c, const Location& d)
+double cosine_of_supplementary_angle(const Location& a, const Location& b, const Location& c,
+                                     const Location& d)
 {
   const Local_vector n = cross_product(b - a, c - a), m = cross_product(d - a, b - a);
   const double lengths = std::sqrt(n.squared_length()) * std::sqrt(m.squared_length());
   return lengths > 0. ? (std::min)(1., (std::max)(-1., n * m / lengths)) : -1.;
 }
 
-// 4.2.2: planarity degree of a star, the least cosine over its pairs of adjacent triangles. `link` is
-// cyclic and may have gaps; position(i) is where neighbor i lies. A star without such a pair is
+// 4.2.2: planarity degree of a star, the least cosine over its pairs of adjacent triangles. `link`
+// is cyclic and may have gaps; position(i) is where neighbor i lies. A star without such a pair is
 // the least planar one, because nothing vouches for it.
 template <typename Location, typename Position>
-double planarity_degree(const Location& center, const std::vector<std::uint32_t>& link, Position position)
+double planarity_degree(const Location& center, const std::vector<std::uint32_t>& link,
+                        Position position)
 {
   const std::size_t n = link.size();
   bool has_pair = false;
@@ -87,8 +93,8 @@ double planarity_degree(const Location& center, const std::vector<std::uint32_t>
     if (before == Point_star::GAP || middle == Point_star::GAP || after == Point_star::GAP)
       continue;
     has_pair = true;
-    result = (std::min)(result, cosine_of_supplementary_angle<Location>(center, position(middle),
-                                                                        position(after), position(before)));
+    result = (std::min)(result, cosine_of_supplementary_angle<Location>(
+                                    center, position(middle), position(after), position(before)));
   }
   return has_pair ? result : -1.;
 }
