@@ -158,68 +158,93 @@ private:
   // Equal distances may differ in the last digits of their sums.
   static bool is_not_above(double a, double b) { return a <= b * (1 + 1e-9) + 1e-12; }
 
-  void summarize(std::size_t m) const
+  // Counts and sums of one method over the models.
+  struct Summary
   {
-    std::size_t closed = 0, manifold = 0, oriented = 0, all_used = 0, references = 0, closed_references = 0;
-    std::size_t exact = 0, closed_exact = 0, counted = 0, without_crossings = 0, crossings = 0;
-    std::size_t compared = 0, hausdorff = 0, mean = 0, timed = 0;
+    std::size_t closed = 0, manifold = 0, outward = 0, all_used = 0;
+    std::size_t references = 0, exact = 0, closed_references = 0, exact_closed = 0;
+    std::size_t tested = 0, without_intersections = 0, intersections = 0;
+    std::size_t compared = 0, hausdorff_not_above = 0, mean_not_above = 0, timed = 0;
     double seconds = 0., log_speedup = 0.;
     Surface_metrics sum;
-    for (const Model_rows& rows : m_models) {
-      const Row& row = rows.found[m];
-      const Row& baseline = rows.found.front();
+
+    void add(const Row& row, const Row& baseline)
+    {
       const Mesh_statistics& s = row.statistics;
       closed += s.is_closed() ? 1u : 0u;
       manifold += s.is_manifold() ? 1u : 0u;
-      oriented += s.is_oriented && s.outward_components == s.closed_components ? 1u : 0u;
+      outward += s.is_oriented && s.outward_components == s.closed_components ? 1u : 0u;
       all_used += s.used_points == s.distinct_points ? 1u : 0u;
-      if (rows.has_reference) {
-        const bool is_exact = has_same_topology(s, rows.reference.statistics);
-        ++references;
-        exact += is_exact ? 1u : 0u;
-        if (rows.reference.statistics.is_closed()) {
-          ++closed_references;
-          closed_exact += is_exact ? 1u : 0u;
-        }
-      }
-      if (row.has_intersections) {
-        ++counted;
-        crossings += row.intersections;
-        without_crossings += row.intersections == 0 ? 1u : 0u;
-      }
-      if (row.has_metrics) {
-        ++compared;
-        hausdorff += is_not_above(row.metrics.hausdorff, baseline.metrics.hausdorff) ? 1u : 0u;
-        mean += is_not_above(row.metrics.mean, baseline.metrics.mean) ? 1u : 0u;
-        sum.hausdorff += row.metrics.hausdorff;
-        sum.mean += row.metrics.mean;
-        sum.root_mean_square += row.metrics.root_mean_square;
-      }
+      seconds += row.minimum_seconds;
       if (row.speedup > 0.) {
         ++timed;
         log_speedup += std::log(row.speedup);
       }
-      seconds += row.minimum_seconds;
+      if (row.has_intersections) {
+        ++tested;
+        intersections += row.intersections;
+        without_intersections += row.intersections == 0 ? 1u : 0u;
+      }
+      if (row.has_metrics)
+        add_metrics(row.metrics, baseline.metrics);
     }
-    const Row& first = m_models.front().found[m];
-    const std::string& baseline = m_models.front().found.front().method;
-    m_out << "summary " << first.method << " over " << m_models.size() << " models: closed " << closed
-          << ", manifold " << manifold << ", oriented and outward " << oriented << ", all points used "
-          << all_used << ", seconds " << text(seconds, 3);
-    if (timed != 0)
-      m_out << ", AF/" << first.method << " time " << text(std::exp(log_speedup / double(timed)), 2)
+
+    void add_metrics(const Surface_metrics& found, const Surface_metrics& baseline)
+    {
+      ++compared;
+      hausdorff_not_above += is_not_above(found.hausdorff, baseline.hausdorff) ? 1u : 0u;
+      mean_not_above += is_not_above(found.mean, baseline.mean) ? 1u : 0u;
+      sum.hausdorff += found.hausdorff;
+      sum.mean += found.mean;
+      sum.root_mean_square += found.root_mean_square;
+    }
+
+    void add_topology(const Mesh_statistics& found, const Mesh_statistics& reference)
+    {
+      const std::size_t is_exact = has_same_topology(found, reference) ? 1u : 0u;
+      ++references;
+      exact += is_exact;
+      if (reference.is_closed()) {
+        ++closed_references;
+        exact_closed += is_exact;
+      }
+    }
+  };
+
+  void summarize(std::size_t m) const
+  {
+    Summary s;
+    for (const Model_rows& rows : m_models) {
+      s.add(rows.found[m], rows.found.front());
+      if (rows.has_reference)
+        s.add_topology(rows.found[m].statistics, rows.reference.statistics);
+    }
+    print(s, m_models.front().found[m].method, m_models.front().found.front().method);
+  }
+
+  void print(const Summary& s, const std::string& method, const std::string& baseline) const
+  {
+    m_out << "summary " << method << " over " << m_models.size() << " models: closed " << s.closed
+          << ", manifold " << s.manifold << ", oriented and outward " << s.outward << ", all points used "
+          << s.all_used << ", seconds " << text(s.seconds, 3);
+    if (s.timed != 0)
+      m_out << ", AF/" << method << " time " << text(std::exp(s.log_speedup / double(s.timed)), 2)
             << " (geometric mean)";
     m_out << '\n';
-    if (references != 0)
-      m_out << "  exact topology: " << closed_exact << " of " << closed_references << " closed references, "
-            << exact << " of all " << references << '\n';
-    if (counted != 0)
-      m_out << "  free of self-intersection: " << without_crossings << " of " << counted << ", pairs in all "
-            << crossings << '\n';
-    if (compared != 0)
-      m_out << "  H not above " << baseline << ": " << hausdorff << ", mean not above " << baseline << ": " << mean
-            << " of " << compared << "; sum of H " << text(sum.hausdorff, 4) << ", of means "
-            << text(sum.mean, 5) << ", of RMS " << text(sum.root_mean_square, 5) << '\n';
+    if (s.references != 0)
+      m_out << "  exact topology: " << s.exact_closed << " of " << s.closed_references << " closed references, "
+            << s.exact << " of all " << s.references << '\n';
+    if (s.tested != 0)
+      m_out << "  free of self-intersection: " << s.without_intersections << " of " << s.tested
+            << ", pairs in all " << s.intersections << '\n';
+    if (s.compared == 0)
+      return;
+    m_out << "  over " << s.compared << " references: ";
+    if (baseline != method)
+      m_out << "H not above " << baseline << ": " << s.hausdorff_not_above << ", mean not above " << baseline
+            << ": " << s.mean_not_above << "; ";
+    m_out << "sum of H " << text(s.sum.hausdorff, 4) << ", of means " << text(s.sum.mean, 5) << ", of RMS "
+          << text(s.sum.root_mean_square, 5) << '\n';
   }
 
   std::ostream& m_out;

@@ -38,7 +38,11 @@ struct Stage_stopping_visitor : Counting_visitor
 {
   isr::Stage last;
   std::atomic<bool> is_stopped{ false };
-  void on_stage_begin(isr::Stage stage) { Counting_visitor::on_stage_begin(stage); is_stopped = stage == last; }
+  void on_stage_begin(isr::Stage stage)
+  {
+    Counting_visitor::on_stage_begin(stage);
+    is_stopped = is_stopped || stage == last;
+  }
   bool go_further() { return !is_stopped; }
 };
 

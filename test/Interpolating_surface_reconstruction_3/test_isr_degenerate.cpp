@@ -162,7 +162,10 @@ void test_hard_shapes()
   test_guarantees("two plates half a spacing apart", two_plates(15, .5).points);
   test_guarantees("two boxes half a spacing apart", two_boxes(6, .5).points);
   test_guarantees("thin wedge", wedge(20, .05).points);
+  test_guarantees("two plates two spacings apart", two_plates(15, 2.).points);
+  test_guarantees("two boxes two spacings apart", two_boxes(6, 2.).points);
   test_guarantees("sharp cone", cone(15, 8.).points);
+  test_guarantees("cone with aligned samples", cone(15, 1.).points);
   test_guarantees("varying spacing", box_varying_spacing(15).points);
   test_guarantees("UV sphere with crowded poles", sphere_uv(100, 12).points);
   Points cones = translated(cone(10, 1.).points, Vector(0, 0, -1));

@@ -27,6 +27,7 @@
 #include <CGAL/property_map.h>
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -116,15 +117,20 @@ std::vector<Local_vector> read_normals(const PointRange& points, NormalMap norma
   std::vector<Point_index> cloud_index(n, NO_POINT);
   for (Point_index p = 0; p != cloud.size(); ++p)
     cloud_index[cloud.input_index(p)] = p;
+  const auto begin_coordinates = cloud.traits().construct_cartesian_const_iterator_3_object();
   std::size_t i = 0;
   for (auto it = points.begin(); it != points.end(); ++it, ++i) {
     if (cloud_index[i] == NO_POINT)
       continue;
     const auto& normal = get(normal_map, *it);
-    const Local_vector v(CGAL::to_double(normal.x()), CGAL::to_double(normal.y()), CGAL::to_double(normal.z()));
-    const double length = std::sqrt(v.squared_length());
-    if (std::isfinite(length) && length > 0.)
-      normals[cloud_index[i]] = v / length;
+    auto c = begin_coordinates(normal);
+    const double x = CGAL::to_double(*c++), y = CGAL::to_double(*c++), z = CGAL::to_double(*c);
+    // divided first: the square of a finite number may overflow or vanish
+    const double largest = (std::max)({ std::abs(x), std::abs(y), std::abs(z) });
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || largest == 0.)
+      continue;
+    const Local_vector v(x / largest, y / largest, z / largest);
+    normals[cloud_index[i]] = v / std::sqrt(v.squared_length());
   }
   return normals;
 }
