@@ -15,9 +15,10 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
-
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_diagonals.h>
 #include <cstdlib>
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -28,128 +29,6 @@
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
-
-namespace internal {
-
-// A convex polygon around the origin of a plane, cut by half-planes. Edge i goes from vertex i to
-// vertex i + 1 and remembers which half-plane made it.
-class Clipped_polygon
-{
-public:
-  // The square with half side `size`, whose edges no neighbor made.
-  explicit Clipped_polygon(double size)
-    : m_size(4)
-  {
-    const double x[4] = { size, size, -size, -size }, y[4] = { -size, size, size, -size };
-    for (std::size_t i = 0; i != 4; ++i)
-      m_vertices[i] = Vertex{ x[i], y[i], Point_star::GAP };
-  }
-
-  std::size_t size() const { return m_size; }
-  // The vertex where a x + b y is largest, and that value.
-  std::size_t farthest_vertex(double a, double b, double& value) const
-  {
-    std::size_t result = 0;
-    value = a * m_vertices[0].x + b * m_vertices[0].y;
-    for (std::size_t i = 1; i != m_size; ++i) {
-      const double v = a * m_vertices[i].x + b * m_vertices[i].y;
-      if (v > value) {
-        value = v;
-        result = i;
-      }
-    }
-    return result;
-  }
-  std::uint32_t maker(std::size_t i) const { return m_vertices[i].maker; }
-
-  double squared_radius() const
-  {
-    double result = 0.;
-    for (std::size_t i = 0; i != m_size; ++i)
-      result = (std::max)(result, m_vertices[i].x * m_vertices[i].x + m_vertices[i].y * m_vertices[i].y);
-    return result;
-  }
-
-  // Cuts off a x + b y > c, where c > 0. Returns whether anything was cut.
-  bool clip(double a, double b, double c, std::uint32_t maker)
-  {
-    std::size_t first_out = CAPACITY;
-    double previous = a * m_vertices[m_size - 1].x + b * m_vertices[m_size - 1].y - c;
-    for (std::size_t i = 0; i != m_size; ++i) {
-      const double value = a * m_vertices[i].x + b * m_vertices[i].y - c;
-      m_values[i] = value;
-      if (value > 0. && previous <= 0.)
-        first_out = i;
-      previous = value;
-    }
-    if (first_out == CAPACITY || m_size == CAPACITY)
-      return false;
-    if (m_values[0] > 0. && m_values[m_size - 1] <= 0.)
-      first_out = 0;
-    std::size_t end_out = first_out; // first kept vertex after the ones cut off
-    std::size_t removed = 0;
-    while (removed != m_size && m_values[end_out] > 0.) {
-      end_out = next(end_out);
-      ++removed;
-    }
-    if (removed == m_size)
-      return false;
-    const std::size_t before = first_out == 0 ? m_size - 1 : first_out - 1;
-    const std::size_t last_out = end_out == 0 ? m_size - 1 : end_out - 1;
-    Vertex entry = crossing(before, first_out);
-    entry.maker = maker;
-    Vertex exit = crossing(end_out, last_out);
-    exit.maker = m_vertices[last_out].maker;
-    replace(first_out, removed, entry, exit);
-    return true;
-  }
-
-private:
-  struct Vertex { double x, y; std::uint32_t maker; };
-
-  // A cell with more edges than this keeps the nearest neighbors' edges.
-  static constexpr std::size_t CAPACITY = 64;
-
-  std::size_t next(std::size_t i) const { return i + 1 == m_size ? 0 : i + 1; }
-
-  Vertex crossing(std::size_t kept, std::size_t cut) const
-  {
-    const Vertex& u = m_vertices[kept];
-    const Vertex& v = m_vertices[cut];
-    const double t = m_values[kept] / (m_values[kept] - m_values[cut]);
-    return Vertex{ u.x + t * (v.x - u.x), u.y + t * (v.y - u.y), 0 };
-  }
-
-  // Replaces `removed` vertices from `first` on, cyclically, by two.
-  void replace(std::size_t first, std::size_t removed, const Vertex& entry, const Vertex& exit)
-  {
-    if (first + removed <= m_size) {
-      const std::size_t tail = first + removed;
-      if (removed == 1)
-        for (std::size_t i = m_size; i-- > tail; )
-          m_vertices[i + 1] = m_vertices[i];
-      else if (removed > 2)
-        for (std::size_t i = tail; i != m_size; ++i)
-          m_vertices[i + 2 - removed] = m_vertices[i];
-      m_vertices[first] = entry;
-      m_vertices[first + 1] = exit;
-    } else {
-      const std::size_t wrapped = first + removed - m_size; // vertices cut off at the beginning
-      const std::size_t kept = m_size - removed;
-      for (std::size_t i = 0; i != kept; ++i)
-        m_vertices[i] = m_vertices[i + wrapped];
-      m_vertices[kept] = entry;
-      m_vertices[kept + 1] = exit;
-    }
-    m_size = m_size + 2 - removed;
-  }
-
-  std::array<Vertex, CAPACITY + 1> m_vertices;
-  std::array<double, CAPACITY + 1> m_values;
-  std::size_t m_size;
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgInterpolatingSurfaceReconstruction3Ref
@@ -229,81 +108,8 @@ private:
       if (polygon.clip(d * u, d * v, squared_length / 2, static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
     }
-    if (MODE != 0) settle(neighborhood, polygon, u, v, 4. * squared_radius, star); else
-    for (std::size_t i = 0; i != polygon.size(); ++i)
-      if (polygon.maker(i) != Point_star::GAP || star.link.empty() || star.link.back() != Point_star::GAP)
-        star.link.push_back(polygon.maker(i));
+    internal::Star_diagonals(neighborhood, polygon, u, v, squared_radius).settle(star.link);
     return neighborhood.squared_radius() >= 4. * squared_radius;
-  }
-
-  static inline int MODE = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 1;
-  static inline double DELTA = std::getenv("DELTA") ? std::atof(std::getenv("DELTA")) : .4;
-
-  static double cot(const Vector_3& u, const Vector_3& v)
-  {
-    return (u * v) / std::sqrt(cross_product(u, v).squared_length());
-  }
-  static double reg(const Vector_3& a, const Vector_3& b, const Vector_3& c)
-  {
-    return internal::regularity(a, b, c);
-  }
-  // whether diagonal p r is better than q s; p is the origin
-  static Vector_3 stretched(const Vector_3& d)
-  {
-    const double along = 1e-9 * (0.36 * d.x() + 0.48 * d.y() + 0.8 * d.z());
-    return Vector_3(d.x() + 0.36 * along, d.y() + 0.48 * along, d.z() + 0.8 * along);
-  }
-  static bool prefers(const Vector_3& q0, const Vector_3& r0, const Vector_3& s0)
-  {
-    const Vector_3 p(0, 0, 0), q = stretched(q0), r = stretched(r0), s = stretched(s0);
-    if (MODE == 1)
-      return cot(p - q, r - q) + cot(r - s, p - s) > cot(q, s) + cot(q - r, s - r);
-    return (std::min)(reg(p, q, r), reg(p, r, s)) > (std::min)(reg(p, q, s), reg(q, r, s));
-  }
-
-  static void settle(const Star_neighborhood& n, const internal::Clipped_polygon& polygon, const Vector_3& u, const Vector_3& v, double limit, Point_star& star)
-  {
-    struct Near { std::uint32_t neighbor; double value; };
-    std::array<Near, 80> near;
-    for (std::size_t i = 0; i != polygon.size(); ++i) near[i] = Near{ Point_star::GAP, 1. - DELTA };
-    for (std::size_t i = 0; i != n.size(); ++i) {
-      const Vector_3& d = n[i];
-      const double sl = d.squared_length();
-      if (sl * (1. - DELTA) * (1. - DELTA) >= limit) break;
-      bool in = false;
-      for (std::size_t k = 0; k != polygon.size(); ++k) in = in || polygon.maker(k) == i;
-      if (in) continue;
-      double value;
-      const std::size_t k = polygon.farthest_vertex(d * u, d * v, value);
-      value /= sl / 2;
-      if (value > near[k].value) near[k] = Near{ static_cast<std::uint32_t>(i), value };
-    }
-    auto& link = star.link;
-    for (std::size_t i = 0; i != polygon.size(); ++i) {
-      const std::uint32_t q = polygon.maker(i == 0 ? polygon.size() - 1 : i - 1), s = polygon.maker(i), r = near[i].neighbor;
-      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && prefers(n[q], n[r], n[s]))
-        link.push_back(r);
-      if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
-        link.push_back(s);
-    }
-    for (std::size_t i = 0; i != link.size() && link.size() > 3; ) {
-      const std::uint32_t q = link[i == 0 ? link.size() - 1 : i - 1], r = link[i], s = link[i + 1 == link.size() ? 0 : i + 1];
-      if (q != Point_star::GAP && r != Point_star::GAP && s != Point_star::GAP) {
-        // convex in the tangent plane, and r near the circle of p, q, s
-        const double qx = n[q] * u, qy = n[q] * v, rx = n[r] * u, ry = n[r] * v, sx = n[s] * u, sy = n[s] * v;
-        const double det = qx * sy - qy * sx;
-        const double beyond = (sx - qx) * (ry - qy) - (sy - qy) * (rx - qx);
-        if (det > 0. && beyond < 0.) {
-          const double cq = n[q].squared_length() / 2, cs = n[s].squared_length() / 2, cr = n[r].squared_length() / 2;
-          const double x = (cq * sy - cs * qy) / det, y = (qx * cs - sx * cq) / det;
-          if (rx * x + ry * y < cr * (1. + DELTA) && !prefers(n[q], n[r], n[s])) {
-            link.erase(link.begin() + std::ptrdiff_t(i));
-            continue;
-          }
-        }
-      }
-      ++i;
-    }
   }
 
   static void tangent_frame(const Vector_3& n, Vector_3& u, Vector_3& v)

@@ -54,7 +54,7 @@ public:
       m_slots(compatibility.stars().size(), NO_POINT)
   {
     for (Point_index p = 0; p != m_slots.size(); ++p)
-      if (!compatibility.is_point_agreed(p))
+      if (!compatibility.is_point_agreed(p) || compatibility.is_point_on_boundary(p))
         open(p);
   }
 

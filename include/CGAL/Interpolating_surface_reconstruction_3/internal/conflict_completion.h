@@ -82,7 +82,7 @@ private:
   {
     m_conflict_of.assign(m_points.size(), NO_POINT);
     for (Point_index p : m_builder.open_points())
-      if (!is_complete(p))
+      if (!m_builder.compatibility().is_point_on_boundary(p) && !is_complete(p))
         m_conflicts.push_back(p);
     std::sort(m_conflicts.begin(), m_conflicts.end());
     for (std::size_t i = 0; i != m_conflicts.size(); ++i)

@@ -28,17 +28,17 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // How compatible the stars are (thesis 4.2.1): for each triangle of each star, the number of its
-// vertices whose stars contain it. A point is agreed if its star is closed and all its triangles have
-// three votes; a triangle is agreed if it has three votes and touches an agreed point. At an agreed
-// point the surface is the star, and an edge has at most two agreed triangles, because a star has
-// two triangles at an edge.
+// vertices whose stars contain it. A point is agreed if all triangles of its star have three
+// votes, and the star is closed or has one gap, at the boundary of the surface; a triangle is agreed
+// if it has three votes and touches an agreed point. At an agreed point the surface is the star, and
+// an edge has at most two agreed triangles, because a star has two triangles at an edge.
 class Star_compatibility
 {
 public:
   using Slot = Star_table::Slot;
 
   explicit Star_compatibility(const Star_table& stars)
-    : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_is_agreed(stars.size(), 0), m_orientations(stars.size())
+    : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_agreement(stars.size(), Agreement::NONE), m_orientations(stars.size())
   { }
 
   // A triangle that is degenerate gets no vote.
@@ -75,10 +75,13 @@ public:
 
   const Star_table& stars() const { return m_stars; }
 
-  bool is_point_agreed(Point_index p) const { return m_is_agreed[p] != 0; }
+  bool is_point_agreed(Point_index p) const { return m_agreement[p] != Agreement::NONE; }
+  // Whether the point is agreed and its star has a gap.
+  bool is_point_on_boundary(Point_index p) const { return m_agreement[p] == Agreement::WITH_GAP; }
   std::size_t number_of_agreed_points() const
   {
-    return static_cast<std::size_t>(std::count(m_is_agreed.begin(), m_is_agreed.end(), 1));
+    return m_agreement.size() -
+           static_cast<std::size_t>(std::count(m_agreement.begin(), m_agreement.end(), Agreement::NONE));
   }
 
   bool is_star_open(Point_index p) const
@@ -105,22 +108,29 @@ public:
   Parity_union_find& orientations() { return m_orientations; }
 
 private:
+  enum class Agreement : unsigned char { NONE, WITH_GAP, CLOSED };
+
   static constexpr std::uint8_t VOTES = 3, FIRST_IS_FLIPPED = 4, SECOND_IS_FLIPPED = 8, AGREED = 16;
 
   template <typename Predicates>
   void count_votes_at(Point_index p, const Predicates& predicates)
   {
-    bool is_agreed = m_stars.end(p) - m_stars.begin(p) > 2;
+    std::size_t triangles = 0, agreed = 0;
     for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s) {
       m_slots[s] = 0;
-      if (m_stars.has_triangle(p, s)) {
-        const Point_index a = m_stars.neighbor(s), b = m_stars.neighbor(m_stars.next(p, s));
-        if (!predicates.is_degenerate(p, a, b))
-          m_slots[s] = ballot(m_stars.view(a, b, p), m_stars.view(b, p, a));
-      }
-      is_agreed = is_agreed && votes(s) == 3;
+      if (!m_stars.has_triangle(p, s))
+        continue;
+      const Point_index a = m_stars.neighbor(s), b = m_stars.neighbor(m_stars.next(p, s));
+      if (!predicates.is_degenerate(p, a, b))
+        m_slots[s] = ballot(m_stars.view(a, b, p), m_stars.view(b, p, a));
+      ++triangles;
+      agreed += votes(s) == 3 ? 1u : 0u;
     }
-    m_is_agreed[p] = is_agreed ? 1 : 0;
+    const std::size_t size = m_stars.end(p) - m_stars.begin(p);
+    m_agreement[p] = agreed == 0 || agreed != triangles ? Agreement::NONE
+                     : triangles == size && size > 2    ? Agreement::CLOSED
+                     : triangles + 2 == size            ? Agreement::WITH_GAP
+                                                        : Agreement::NONE;
   }
 
   void find_agreed_triangles_at(Point_index p)
@@ -152,12 +162,12 @@ private:
       if ((c == a && d == b) || (c == b && d == a))
         m_slots[s] = static_cast<std::uint8_t>(m_slots[s] & ~AGREED);
     }
-    m_is_agreed[center] = 0;
+    m_agreement[center] = Agreement::NONE;
   }
 
   const Star_table& m_stars;
   std::vector<std::uint8_t> m_slots;
-  std::vector<unsigned char> m_is_agreed;
+  std::vector<Agreement> m_agreement;
   Parity_union_find m_orientations;
 };
 

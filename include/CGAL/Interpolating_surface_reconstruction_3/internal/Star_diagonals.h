@@ -1,0 +1,166 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_DIAGONALS_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_DIAGONALS_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Decides the diagonals of the quadrangles around a point p whose four points are nearly cocircular.
+// Their tangent planes would decide differently, and the charts would not be compatible. Therefore
+// the choice between the diagonals pr and qs of the quadrangle p, q, r, s is made by a measure of
+// the four points in space that is the same seen from each of them: the diagonal opposite to the
+// smaller angles, in terms of cotangents. In a plane this is the criterion of Delaunay.
+class Star_diagonals
+{
+public:
+  using Vector_3 = Star_neighborhood::Vector_3;
+
+  // `polygon` is the restricted Voronoi cell in the frame (u, v) of the tangent plane, and
+  // `squared_radius` that of its farthest vertex.
+  Star_diagonals(const Star_neighborhood& neighborhood, const Clipped_polygon& polygon, const Vector_3& u, const Vector_3& v,
+                 double squared_radius)
+    : m_neighborhood(neighborhood), m_polygon(polygon), m_u(u), m_v(v)
+  {
+    find_near_misses(squared_radius);
+  }
+
+  // Fills the link with the makers of the polygon's edges, but for the diagonals that change.
+  void settle(std::vector<std::uint32_t>& link) const
+  {
+    link_with_additional_diagonals(link);
+    remove_diagonals(link);
+  }
+
+private:
+  // A neighbor that nearly cuts off a vertex of the polygon: the value at the vertex of the linear
+  // function that is 1 on its bisector.
+  struct Near_miss { std::uint32_t neighbor; double value; };
+
+  // A quadrangle is worth a look if the fourth point would have to come closer by this part of its
+  // distance. The choice hardly matters between .2 and .6: farther points do not win.
+  static constexpr double NEAR = .4;
+
+  void find_near_misses(double squared_radius)
+  {
+    for (std::size_t i = 0; i != m_polygon.size(); ++i)
+      m_near_misses[i] = Near_miss{ Point_star::GAP, 1. - NEAR };
+    const double squared_reach = 4. * squared_radius / ((1. - NEAR) * (1. - NEAR));
+    for (std::size_t i = 0; i != m_neighborhood.size(); ++i) {
+      const Vector_3& d = m_neighborhood[i];
+      const double squared_length = d.squared_length();
+      if (squared_length >= squared_reach)
+        break;
+      const Clipped_polygon::Extreme extreme = m_polygon.extreme(d * m_u, d * m_v);
+      const double value = 2. * extreme.value / squared_length;
+      if (value > m_near_misses[extreme.vertex].value && !has_edge(static_cast<std::uint32_t>(i)))
+        m_near_misses[extreme.vertex] = Near_miss{ static_cast<std::uint32_t>(i), value };
+    }
+  }
+
+  bool has_edge(std::uint32_t neighbor) const
+  {
+    for (std::size_t i = 0; i != m_polygon.size(); ++i)
+      if (m_polygon.maker(i) == neighbor)
+        return true;
+    return false;
+  }
+
+  void link_with_additional_diagonals(std::vector<std::uint32_t>& link) const
+  {
+    for (std::size_t i = 0; i != m_polygon.size(); ++i) {
+      const std::uint32_t q = m_polygon.maker(i == 0 ? m_polygon.size() - 1 : i - 1), r = m_near_misses[i].neighbor,
+                          s = m_polygon.maker(i);
+      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && is_own_diagonal_better(q, r, s))
+        link.push_back(r);
+      if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
+        link.push_back(s);
+    }
+    if (link.size() > 1 && link.front() == Point_star::GAP && link.back() == Point_star::GAP)
+      link.pop_back();
+  }
+
+  void remove_diagonals(std::vector<std::uint32_t>& link) const
+  {
+    for (std::size_t i = 0; i != link.size() && link.size() > 3; ) {
+      const std::uint32_t q = link[i == 0 ? link.size() - 1 : i - 1], r = link[i], s = link[i + 1 == link.size() ? 0 : i + 1];
+      if (q != Point_star::GAP && r != Point_star::GAP && s != Point_star::GAP && is_dispensable(q, r, s) &&
+          !is_own_diagonal_better(q, r, s))
+        link.erase(link.begin() + std::ptrdiff_t(i));
+      else
+        ++i;
+    }
+  }
+
+  // Whether the quadrangle is convex in the tangent plane, and r nearly misses the vertex of the
+  // polygon that q and s would make without it.
+  bool is_dispensable(std::uint32_t q, std::uint32_t r, std::uint32_t s) const
+  {
+    const double qx = x(q), qy = y(q), rx = x(r), ry = y(r), sx = x(s), sy = y(s);
+    const double determinant = qx * sy - qy * sx;
+    if (determinant <= 0. || (sx - qx) * (ry - qy) - (sy - qy) * (rx - qx) >= 0.)
+      return false;
+    const double cq = half_square(q), cs = half_square(s);
+    const double vx = (cq * sy - cs * qy) / determinant, vy = (qx * cs - sx * cq) / determinant;
+    return rx * vx + ry * vy < half_square(r) * (1. + NEAR);
+  }
+
+  double x(std::uint32_t i) const { return m_neighborhood[i] * m_u; }
+  double y(std::uint32_t i) const { return m_neighborhood[i] * m_v; }
+  double half_square(std::uint32_t i) const { return m_neighborhood[i].squared_length() / 2; }
+
+  bool is_own_diagonal_better(std::uint32_t q_index, std::uint32_t r_index, std::uint32_t s_index) const
+  {
+    const Vector_3 p(0, 0, 0), q = stretched(q_index), r = stretched(r_index), s = stretched(s_index);
+    return cotangent(p - q, r - q) + cotangent(r - s, p - s) > cotangent(q, s) + cotangent(q - r, s - r);
+  }
+
+  static double cotangent(const Vector_3& u, const Vector_3& v)
+  {
+    return (u * v) / std::sqrt(cross_product(u, v).squared_length());
+  }
+
+  // Space stretched by a little more than the rounding error along a fixed direction in general
+  // position: all stars see the same points, so that cocircular ones, such as those of a grid, get
+  // the same diagonals everywhere.
+  Vector_3 stretched(std::uint32_t i) const
+  {
+    constexpr double stretch = 1e-9, gx = .36, gy = .48, gz = .8;
+    const Vector_3& d = m_neighborhood[i];
+    const double along = stretch * (gx * d.x() + gy * d.y() + gz * d.z());
+    return Vector_3(d.x() + gx * along, d.y() + gy * along, d.z() + gz * along);
+  }
+
+  const Star_neighborhood& m_neighborhood;
+  const Clipped_polygon& m_polygon;
+  const Vector_3 m_u, m_v;
+  std::array<Near_miss, Clipped_polygon::CAPACITY + 1> m_near_misses;
+};
+
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_STAR_DIAGONALS_H
