@@ -17,7 +17,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_diagonals.h>
-#include <cstdlib>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -36,7 +35,9 @@ namespace Interpolating_surface_reconstruction_3 {
 The star of a point from its Voronoi cell restricted to its tangent plane.
 
 The bisector planes of the point and its neighbors clip the tangent plane to a convex polygon; the
-neighbors that own an edge of the polygon form the star, in cyclic order. The triangles are facets of
+neighbors that own an edge of the polygon form the star, in cyclic order. Where four points are
+nearly cocircular the diagonal is chosen by the circles through them in space instead, so that the
+stars of all four points agree, whatever their tangent planes. The triangles are facets of
 the Delaunay triangulation of the points where the sampling suffices. The star is certain as soon as
 the neighborhood reaches twice as far as the farthest vertex of the polygon (the radius of security
 of L&eacute;vy and Bonneel, <em>Variational anisotropic surface meshing with Voronoi parallel linear
@@ -52,9 +53,9 @@ public:
   using Neighborhood_category = Nearest_neighborhood_tag;
 
   /// number of neighbors to start with.
-  static std::size_t initial_number_of_neighbors() { return INITIAL_NEIGHBORS; }
+  static constexpr std::size_t initial_number_of_neighbors() { return INITIAL_NEIGHBORS; }
   /// largest number of neighbors that are worth looking at.
-  static std::size_t maximum_number_of_neighbors() { return MAXIMUM_NEIGHBORS; }
+  static constexpr std::size_t maximum_number_of_neighbors() { return MAXIMUM_NEIGHBORS; }
 
   /// computes the star of the center of `neighborhood`; returns whether no point outside of the
   /// neighborhood can change it.
@@ -65,15 +66,19 @@ public:
     return clip(neighborhood, star);
   }
 
-  static inline std::size_t INITIAL_NEIGHBORS = 16, MAXIMUM_NEIGHBORS = 64, NORMAL_NEIGHBORS = std::getenv("NK") ? std::atoi(std::getenv("NK")) : 16;
-  static inline int REESTIMATE = 1;
-
 private:
   using Vector_3 = Star_neighborhood::Vector_3;
 
+  // Two rings of a regular sample hold 18 points: fewer seldom make a star certain, and their normal
+  // changes little with more.
+  static constexpr std::size_t INITIAL_NEIGHBORS = 16;
+  // Twice doubled. A star that is not certain by then has a gap, or triangles that are far longer
+  // than its shortest ones.
+  static constexpr std::size_t MAXIMUM_NEIGHBORS = 64;
+
   static Vector_3 covariance_normal(const Star_neighborhood& neighborhood)
   {
-    const std::size_t n = (std::min)(neighborhood.size(), NORMAL_NEIGHBORS);
+    const std::size_t n = (std::min)(neighborhood.size(), INITIAL_NEIGHBORS);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     const double farthest = n == 0 ? 0. : neighborhood[n - 1].squared_length();

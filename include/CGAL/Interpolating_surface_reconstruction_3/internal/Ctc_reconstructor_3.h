@@ -26,9 +26,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_attachment.h>
 
-#include <chrono>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -75,10 +73,7 @@ public:
       return false;
     Star_compatibility compatibility = find_agreed_triangles(stars);
     Builder builder(compatibility, m_predicates);
-    if (std::getenv("GROW"))
-      attach_remaining_triangles(builder);
-    else
-      complete_conflicts(octree, builder);
+    complete_conflicts(octree, builder);
     close_holes(octree, builder);
     return !m_progress.is_cancelled() && write_oriented(builder, output);
   }
@@ -120,31 +115,18 @@ private:
     return compatibility;
   }
 
-  void attach_remaining_triangles(Builder& builder)
-  {
-    m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
-    std::size_t attached = 0;
-    Triangle_attachment<Builder> attach(m_cloud.positions(), builder);
-    attach(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
-      report(t, verdict);
-    });
-    m_progress.end_stage(attached);
-  }
-
   void complete_conflicts(const Point_octree_3& octree, Builder& builder)
   {
     m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
     std::size_t attached = 0;
-    { auto t0=std::chrono::steady_clock::now();
-    if (!std::getenv("NOPLANAR")) Hole_closing<Builder>(m_cloud.positions(), builder, m_options.maximum_hole_size).close_planar_loops([&](const typename Builder::Triangle& t, Triangle_verdict verdict) { attached += verdict == Triangle_verdict::ADDED ? 1 : 0;
-      report(t, verdict);});
-      if(std::getenv("DBG")) std::cerr<<"planar "<<attached<<" ms "<<1e3*std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count()<<"\n"; }
-    Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
-    complete(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
+    const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
-    });
+    };
+    Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
+    close.close_planar_loops(on_verdict);
+    Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
+    complete(m_progress, on_verdict);
     m_progress.end_stage(attached);
   }
 

@@ -17,8 +17,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,8 +30,8 @@ namespace internal {
 // Decides the diagonals of the quadrangles around a point p whose four points are nearly cocircular.
 // Their tangent planes would decide differently, and the charts would not be compatible. Therefore
 // the choice between the diagonals pr and qs of the quadrangle p, q, r, s is made by a measure of
-// the four points in space that is the same seen from each of them: the diagonal opposite to the
-// smaller angles, in terms of cotangents. In a plane this is the criterion of Delaunay.
+// the four points in space that is the same seen from each of them: of the two pairs of triangles, the
+// one whose larger circumscribed circle is smaller.
 class Star_diagonals
 {
 public:
@@ -133,12 +133,14 @@ private:
   bool is_own_diagonal_better(std::uint32_t q_index, std::uint32_t r_index, std::uint32_t s_index) const
   {
     const Vector_3 p(0, 0, 0), q = stretched(q_index), r = stretched(r_index), s = stretched(s_index);
-    return cotangent(p - q, r - q) + cotangent(r - s, p - s) > cotangent(q, s) + cotangent(q - r, s - r);
+    return (std::max)(squared_circumdiameter(p, q, r), squared_circumdiameter(p, r, s)) <
+           (std::max)(squared_circumdiameter(p, q, s), squared_circumdiameter(q, r, s));
   }
 
-  static double cotangent(const Vector_3& u, const Vector_3& v)
+  static double squared_circumdiameter(const Vector_3& a, const Vector_3& b, const Vector_3& c)
   {
-    return (u * v) / std::sqrt(cross_product(u, v).squared_length());
+    const Vector_3 u = b - a, v = c - a;
+    return u.squared_length() * v.squared_length() * (v - u).squared_length() / cross_product(u, v).squared_length();
   }
 
   // Space stretched by a little more than the rounding error along a fixed direction in general
@@ -146,7 +148,7 @@ private:
   // the same diagonals everywhere.
   Vector_3 stretched(std::uint32_t i) const
   {
-    constexpr double stretch = 1e-9, gx = .36, gy = .48, gz = .8;
+    constexpr double stretch = 1e-9, gx = .36, gy = -.48, gz = .8;
     const Vector_3& d = m_neighborhood[i];
     const double along = stretch * (gx * d.x() + gy * d.y() + gz * d.z());
     return Vector_3(d.x() + gx * along, d.y() + gy * along, d.z() + gz * along);

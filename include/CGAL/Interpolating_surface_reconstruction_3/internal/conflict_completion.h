@@ -22,7 +22,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
-#include <iostream>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,17 +81,50 @@ private:
   {
     m_conflict_of.assign(m_points.size(), NO_POINT);
     for (Point_index p : m_builder.open_points())
-      if (!m_builder.compatibility().is_point_on_boundary(p) && !is_complete(p))
+      if (!is_on_boundary(p) && !is_complete(p))
         m_conflicts.push_back(p);
     std::sort(m_conflicts.begin(), m_conflicts.end());
     for (std::size_t i = 0; i != m_conflicts.size(); ++i)
       m_conflict_of[m_conflicts[i]] = static_cast<Point_index>(i);
   }
 
+  // Whether the surface has a boundary at the point: its star has a gap, and so have the stars of the
+  // next points along the boundary. Single open stars are conflicts.
+  bool is_on_boundary(Point_index p) const
+  {
+    const Star_compatibility& compatibility = m_builder.compatibility();
+    if (!compatibility.is_point_on_boundary(p))
+      return false;
+    for (const auto& corner : m_builder.corners(p))
+      for (Point_index q : { corner.a, corner.b })
+        if (m_builder.number_of_triangles(p, q) == 1 && !reaches(q, p, BOUNDARY_LENGTH))
+          return false;
+    return true;
+  }
+
+  // Whether the boundary goes on from p, coming from `from`, over `length` open stars.
+  bool reaches(Point_index p, Point_index from, std::size_t length) const
+  {
+    for (; length != 0; --length) {
+      if (!m_builder.is_open(p) || !m_builder.compatibility().is_point_on_boundary(p))
+        return false;
+      Point_index next = NO_POINT;
+      for (const auto& corner : m_builder.corners(p))
+        for (Point_index q : { corner.a, corner.b })
+          if (q != from && m_builder.number_of_triangles(p, q) == 1)
+            next = q;
+      if (next == NO_POINT)
+        return false;
+      from = p;
+      p = next;
+    }
+    return true;
+  }
+
   bool is_conflict(Point_index p) const { return m_conflict_of[p] != NO_POINT; }
 
   // The points around a conflict that its completion must see: its neighbors, its link, and the
-  // links of all of them.
+  // links of its link, so that their stars are complete.
   void surroundings(Point_index p, std::vector<Point_index>& result)
   {
     result.assign(1, p);
@@ -104,7 +136,7 @@ private:
     const std::size_t before = result.size();
     add_link(p, result);
     const std::size_t inner = result.size();
-    for (std::size_t i = std::getenv("PAD")?1:before; i != inner; ++i)
+    for (std::size_t i = before; i != inner; ++i)
       add_link(result[i], result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -159,7 +191,7 @@ private:
     compute_spheres(cells);
     Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); });
     Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2);
-    const std::size_t defective = repair(); if (std::getenv("DBG") && defective) std::cerr << "cluster " << cluster.size() << " sites " << sites.size() << " defective " << defective << "\n";
+    repair();
     attach(cells, labelling, on_verdict);
   }
 
@@ -287,6 +319,9 @@ private:
     for (const Triangle& t : surface)
       on_verdict(t, m_builder.try_add(t[0], t[1], t[2]));
   }
+
+  // Open stars that must follow one another in both directions to make a boundary.
+  static constexpr std::size_t BOUNDARY_LENGTH = 2;
 
   // Two rings of a regular sample hold 18 points.
   static constexpr std::size_t NEIGHBORS = 16;

@@ -66,7 +66,7 @@ public:
 
 private:
   // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
-  static inline std::size_t MAXIMUM_PLANAR_SIZE = std::getenv("MPS") ? std::atoi(std::getenv("MPS")) : 8;
+  static constexpr std::size_t MAXIMUM_PLANAR_SIZE = 8;
 
   bool is_next_to_bare_point(Point_index p) const
   {
