@@ -55,12 +55,14 @@ public:
 
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
   // quadrangle on whose diagonal the stars do not agree. A loop around a point without triangles is
-  // left alone.
+  // left alone, and so is one along which no star is in conflict: it is a boundary.
   template <typename OnVerdict>
   void close_planar_loops(OnVerdict on_verdict)
   {
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
-      if (loop.size() <= MAXIMUM_PLANAR_SIZE && std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
+      if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
+          !std::all_of(loop.begin(), loop.end(), [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
+          std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
         m_fill.fill_if_planar(loop, on_verdict);
   }
 
