@@ -79,13 +79,13 @@ private:
 
   void find_conflicts()
   {
-    m_conflict_of.assign(m_points.size(), NO_POINT);
+    m_is_conflict.assign(m_points.size(), 0);
     for (Point_index p : m_builder.open_points())
       if (!is_on_boundary(p) && !is_complete(p))
         m_conflicts.push_back(p);
     std::sort(m_conflicts.begin(), m_conflicts.end());
-    for (std::size_t i = 0; i != m_conflicts.size(); ++i)
-      m_conflict_of[m_conflicts[i]] = static_cast<Point_index>(i);
+    for (Point_index p : m_conflicts)
+      m_is_conflict[p] = 1;
   }
 
   // Whether the surface has a boundary at the point: its star has a gap, and so have the stars of the
@@ -121,7 +121,7 @@ private:
     return true;
   }
 
-  bool is_conflict(Point_index p) const { return m_conflict_of[p] != NO_POINT; }
+  bool is_conflict(Point_index p) const { return m_is_conflict[p] != 0; }
 
   // The points around a conflict that its completion must see: its neighbors, its link, and the
   // links of its link, so that their stars are complete.
@@ -150,6 +150,11 @@ private:
         result.push_back(stars.neighbor(s));
   }
 
+  Point_index position_of(Point_index conflict) const
+  {
+    return static_cast<Point_index>(std::lower_bound(m_conflicts.begin(), m_conflicts.end(), conflict) - m_conflicts.begin());
+  }
+
   // Conflicts that see each other, as positions in m_conflicts.
   std::vector<std::vector<std::size_t> > find_clusters()
   {
@@ -159,7 +164,7 @@ private:
       surroundings(m_conflicts[i], m_surroundings[i]);
       for (Point_index q : m_surroundings[i])
         if (is_conflict(q))
-          sets.unite(static_cast<Point_index>(i), m_conflict_of[q], false);
+          sets.unite(static_cast<Point_index>(i), position_of(q), false);
     }
     std::vector<std::size_t> cluster_of(m_conflicts.size(), 0);
     std::vector<std::vector<std::size_t> > clusters;
@@ -177,22 +182,83 @@ private:
   template <typename OnVerdict>
   void complete(const std::vector<std::size_t>& cluster, OnVerdict on_verdict)
   {
-    std::vector<Point_index> sites;
-    for (std::size_t i : cluster) {
-      sites.insert(sites.end(), m_surroundings[i].begin(), m_surroundings[i].end());
-      std::vector<Point_index>().swap(m_surroundings[i]);
-    }
-    std::sort(sites.begin(), sites.end());
-    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-    const Cell_complex cells(m_points, sites);
+    m_cluster.clear();
+    m_sites.clear();
+    for (std::size_t i : cluster)
+      add_to_cluster(m_conflicts[i], m_surroundings[i]);
+    Cell_complex cells(m_points, sorted_sites());
+    while (cells.size() != 0 && withdraw_triangles_without_facet(cells))
+      cells = Cell_complex(m_points, sorted_sites());
     if (cells.size() == 0)
       return;
-    find_complete_sites(cells, sites);
+    find_certain_sites(cells);
     compute_spheres(cells);
     Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); });
     Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2);
     repair();
     attach(cells, labelling, on_verdict);
+    for (Point_index p : m_cluster)
+      m_is_conflict[p] = is_complete(p) ? 0 : 1;
+  }
+
+  // Hands the surroundings of a conflict over to the current cluster.
+  void add_to_cluster(Point_index p, std::vector<Point_index>& surroundings)
+  {
+    m_cluster.push_back(p);
+    m_sites.insert(m_sites.end(), surroundings.begin(), surroundings.end());
+    std::vector<Point_index>().swap(surroundings);
+  }
+
+  const std::vector<Point_index>& sorted_sites()
+  {
+    std::sort(m_sites.begin(), m_sites.end());
+    m_sites.erase(std::unique(m_sites.begin(), m_sites.end()), m_sites.end());
+    return m_sites;
+  }
+
+  // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
+  // facet would cross it; it is withdrawn and its points join the conflict. Returns whether there
+  // was one.
+  bool withdraw_triangles_without_facet(const Cell_complex& cells)
+  {
+    std::vector<Facet> facets;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        Facet f = Cell_complex::facet(cells[c], i);
+        if (cells[c].neighbors[i] < c || is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
+            !has_triangle(f))
+          continue;
+        std::sort(f.begin(), f.end());
+        facets.push_back(f);
+      }
+    std::sort(facets.begin(), facets.end());
+    std::vector<Facet> withdrawn;
+    for (Point_index p : m_cluster)
+      m_builder.for_each_triangle_at(p, [&](Facet t) {
+        std::sort(t.begin(), t.end());
+        if (!std::binary_search(facets.begin(), facets.end(), t))
+          withdrawn.push_back(t);
+      });
+    std::sort(withdrawn.begin(), withdrawn.end());
+    withdrawn.erase(std::unique(withdrawn.begin(), withdrawn.end()), withdrawn.end());
+    for (const Facet& t : withdrawn) {
+      m_builder.remove(stored_triangle(t));
+      for (Point_index p : t)
+        if (!is_conflict(p)) {
+          m_is_conflict[p] = 1;
+          std::vector<Point_index> around;
+          surroundings(p, around);
+          add_to_cluster(p, around);
+        }
+    }
+    return !withdrawn.empty();
+  }
+
+  // The stored triangle with a conflict among its vertices.
+  typename Builder::Triangle_index stored_triangle(const Facet& t) const
+  {
+    const std::size_t i = m_builder.is_open(t[0]) ? 0 : m_builder.is_open(t[1]) ? 1 : 2;
+    return m_builder.find_triangle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
   }
 
   bool has_triangle(const Facet& f) const
@@ -203,22 +269,22 @@ private:
   }
 
   // A site is certain if its fan is closed and made of facets of the cells.
-  void find_complete_sites(const Cell_complex& cells, const std::vector<Point_index>& sites)
+  void find_certain_sites(const Cell_complex& cells)
   {
-    m_sites = sites;
-    m_facets_at.assign(sites.size(), 0);
+    std::vector<std::size_t> facets_at(m_sites.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         const Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] < c || is_infinite(f) || !has_triangle(f))
           continue;
         for (Point_index p : f)
-          ++m_facets_at[site(p)];
+          ++facets_at[site(p)];
       }
-    for (std::size_t s = 0; s != sites.size(); ++s) {
+    m_is_certain.assign(m_sites.size(), 0);
+    for (std::size_t s = 0; s != m_sites.size(); ++s) {
       std::size_t triangles = 0;
-      m_builder.for_each_triangle_at(sites[s], [&](const Triangle&) { ++triangles; });
-      m_facets_at[s] = !is_conflict(sites[s]) && m_facets_at[s] == triangles ? 1 : 0;
+      m_builder.for_each_triangle_at(m_sites[s], [&](const Triangle&) { ++triangles; });
+      m_is_certain[s] = !is_conflict(m_sites[s]) && is_complete(m_sites[s]) && facets_at[s] == triangles ? 1 : 0;
     }
   }
 
@@ -226,7 +292,7 @@ private:
   {
     return static_cast<std::size_t>(std::lower_bound(m_sites.begin(), m_sites.end(), p) - m_sites.begin());
   }
-  bool is_certain(Point_index p) const { return m_facets_at[site(p)] != 0; }
+  bool is_certain(Point_index p) const { return m_is_certain[site(p)] != 0; }
   static bool is_infinite(const Facet& f) { return f[0] == NO_POINT || f[1] == NO_POINT || f[2] == NO_POINT; }
 
   struct Sphere { Local_point center; double radius; };
@@ -330,11 +396,12 @@ private:
   const Point_octree_3& m_octree;
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
-  std::vector<Point_index> m_conflicts;                  // increasing
-  std::vector<Point_index> m_conflict_of;                // position in m_conflicts, or NO_POINT
+  std::vector<Point_index> m_conflicts;                  // at the beginning, increasing
+  std::vector<unsigned char> m_is_conflict;              // of each point, now
   std::vector<std::vector<Point_index> > m_surroundings; // of each conflict
+  std::vector<Point_index> m_cluster;                    // conflicts of the current cluster
   std::vector<Point_index> m_sites;                      // of the current cluster, increasing
-  std::vector<std::size_t> m_facets_at;                  // of each site
+  std::vector<unsigned char> m_is_certain;               // of each site
   std::vector<Sphere> m_spheres;                         // of the cells
 };
 

@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -159,7 +160,7 @@ private:
       moves[m_component[k]].push_back(m_around[m_begin[v] + k]);
     for (std::size_t k = 0; k != size; ++k)
       moves.push_back({ m_around[m_begin[v] + k] });
-    if (!try_moves(moves) && !try_moves(pairs_around(v)))
+    if (!try_moves(moves))
       return false;
     for (Cell_index c : m_best.cells)
       m_labelling.flip(c);
@@ -171,17 +172,6 @@ private:
     for (const std::vector<Cell_index>& cells : moves)
       try_move(cells);
     return !m_best.cells.empty();
-  }
-
-  // Adjacent cells of one label, the first at vertex v.
-  std::vector<std::vector<Cell_index> > pairs_around(std::size_t v) const
-  {
-    std::vector<std::vector<Cell_index> > result;
-    for (std::size_t k = m_begin[v]; k != m_begin[v + 1]; ++k)
-      for (Cell_index n : m_cells[m_around[k]].neighbors)
-        if (m_labelling.label(n) == m_labelling.label(m_around[k]))
-          result.push_back({ m_around[k], n });
-    return result;
   }
 
   void try_move(const std::vector<Cell_index>& cells)
