@@ -22,6 +22,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
@@ -142,6 +143,8 @@ private:
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
+    Island_removal<Builder> remove_islands(builder);
+    remove_islands();
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
     m_progress.visitor().on_points_unused(insert());
     m_progress.end_stage(attached);

@@ -136,6 +136,21 @@ public:
     return NO_POINT;
   }
 
+  // Number of boundary edges at an open point: two of each fan that is not closed.
+  std::size_t number_of_boundary_edges(Point_index p) const
+  {
+    std::size_t result = 0;
+    for (const Corner& c : corners(p))
+      result += (number_of_triangles(p, c.a) == 1 ? 1u : 0u) + (number_of_triangles(p, c.b) == 1 ? 1u : 0u);
+    return result;
+  }
+
+  // Whether an open point has a closed fan; then it has no other.
+  bool is_fan_closed(Point_index p) const
+  {
+    return !corners(p).empty() && number_of_boundary_edges(p) == 0;
+  }
+
   // Attaches the triangle (p, q, r) if the surface stays a manifold.
   Triangle_verdict try_add(Point_index p, Point_index q, Point_index r)
   {
@@ -218,7 +233,7 @@ private:
       return Triangle_verdict::DEGENERATE;
     if (number_of_triangles(p, q) == 2 || number_of_triangles(q, r) == 2 || number_of_triangles(r, p) == 2)
       return Triangle_verdict::EDGE_FULL;
-    if (closes_one_of_several_fans(p, q, r) || closes_one_of_several_fans(q, r, p) ||
+    if (is_fan_closed(p) || is_fan_closed(q) || is_fan_closed(r) || closes_one_of_several_fans(p, q, r) || closes_one_of_several_fans(q, r, p) ||
         closes_one_of_several_fans(r, p, q))
       return Triangle_verdict::VERTEX_FULL;
     if (is_folded(p, q, r) || is_folded(q, r, p) || is_folded(r, p, q))

@@ -68,13 +68,7 @@ private:
   // Whether the surface at the point is one closed fan.
   bool is_complete(Point_index p) const
   {
-    if (!m_builder.is_open(p))
-      return true;
-    const auto& corners = m_builder.corners(p);
-    if (corners.empty())
-      return false;
-    const auto fan = m_builder.fan_from(p, corners[0].a);
-    return fan.end == corners[0].a && fan.size == corners.size();
+    return !m_builder.is_open(p) || m_builder.is_fan_closed(p);
   }
 
   void find_conflicts()

@@ -114,7 +114,7 @@ private:
   std::vector<Point_index> remove_smaller_fans(Point_index p)
   {
     std::vector<Point_index> touched;
-    if (number_of_ends(p) <= 2)
+    if (m_builder.number_of_boundary_edges(p) <= 2)
       return touched;
     std::size_t largest = 0;
     Point_index largest_begin = NO_POINT;
@@ -139,16 +139,6 @@ private:
       m_builder.remove(t);
     }
     return touched;
-  }
-
-  // Number of boundary edges at a point: two of each fan that is not closed.
-  std::size_t number_of_ends(Point_index p) const
-  {
-    std::size_t result = 0;
-    for (const auto& corner : m_builder.corners(p))
-      result += (m_builder.number_of_triangles(p, corner.a) == 1 ? 1u : 0u) +
-                (m_builder.number_of_triangles(p, corner.b) == 1 ? 1u : 0u);
-    return result;
   }
 
   // The end of the fan through the neighbor q that is the smaller index, or the smallest neighbor of

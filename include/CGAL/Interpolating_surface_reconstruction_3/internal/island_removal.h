@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ISLAND_REMOVAL_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ISLAND_REMOVAL_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Removes the islands of a surface: components without an agreed point, all of whose points have a
+// point of another component in their star. No chart vouches for an island, and every chart on it
+// says that it belongs to its surroundings; its points are left to the insertion of points.
+template <typename Builder>
+class Island_removal
+{
+public:
+  explicit Island_removal(Builder& builder)
+    : m_builder(builder)
+  { }
+
+  void operator()()
+  {
+    m_is_visited.assign(m_builder.number_of_points(), 0);
+    const std::vector<Point_index> open_points = m_builder.open_points();
+    for (Point_index p : open_points)
+      if (!m_is_visited[p] && !m_builder.compatibility().is_point_agreed(p) && !m_builder.corners(p).empty() && find_component(p) && is_reached_from_outside())
+        remove_component();
+  }
+
+private:
+  // Collects the part of the component of p that agreed points do not cut off; false if there is such
+  // a point.
+  bool find_component(Point_index p)
+  {
+    bool is_island = true;
+    m_component.assign(1, p);
+    m_is_visited[p] = 1;
+    for (std::size_t i = 0; i != m_component.size(); ++i) {
+      const auto& corners = m_builder.corners(m_component[i]);
+      for (const auto& corner : corners)
+        for (Point_index r : { corner.a, corner.b })
+          if (m_builder.compatibility().is_point_agreed(r)) {
+            is_island = false;
+          } else if (!m_is_visited[r]) {
+            m_is_visited[r] = 1;
+            m_component.push_back(r);
+          }
+    }
+    std::sort(m_component.begin(), m_component.end());
+    return is_island;
+  }
+
+  bool is_reached_from_outside() const
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    return std::all_of(m_component.begin(), m_component.end(), [&](Point_index p) {
+      for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+        if (stars.neighbor(s) != NO_POINT &&
+            !std::binary_search(m_component.begin(), m_component.end(), stars.neighbor(s)))
+          return true;
+      return false;
+    });
+  }
+
+  void remove_component()
+  {
+    for (Point_index p : m_component)
+      while (!m_builder.corners(p).empty())
+        m_builder.remove(m_builder.corners(p).front().triangle);
+  }
+
+  Builder& m_builder;
+  std::vector<unsigned char> m_is_visited;
+  std::vector<Point_index> m_component;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ISLAND_REMOVAL_H
