@@ -181,7 +181,8 @@ private:
     for (std::size_t i : cluster)
       add_to_cluster(m_conflicts[i], m_surroundings[i]);
     Cell_complex cells(m_points, sorted_sites());
-    while (cells.size() != 0 && withdraw_triangles_without_facet(cells))
+    // Once: the few triangles around the points that join then hardly matter.
+    if (cells.size() != 0 && withdraw_triangles_without_facet(cells))
       cells = Cell_complex(m_points, sorted_sites());
     if (cells.size() == 0)
       return;

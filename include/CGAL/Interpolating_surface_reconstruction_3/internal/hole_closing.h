@@ -28,7 +28,7 @@ namespace internal {
 
 // Closes the boundary loops of a surface without new points (thesis 4.3.6). A loop that cannot be
 // closed, because the edges it needs exist elsewhere, is widened by the ring of triangles around it
-// and tried again.
+// and tried again, unless it is a boundary that the stars agree on, such as that of a flat sheet.
 template <typename Builder>
 class Hole_closing
 {
@@ -90,9 +90,18 @@ private:
   {
     std::vector<Boundary_loop> failed;
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
-      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !m_fill(loop, on_verdict))
+      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !m_fill(loop, on_verdict) && !is_agreed_boundary(loop))
         failed.push_back(loop);
     return failed;
+  }
+
+  // Whether most stars along the loop agree that the surface ends there.
+  bool is_agreed_boundary(const Boundary_loop& loop) const
+  {
+    const auto agreed = std::count_if(loop.begin(), loop.end(), [&](Point_index p) {
+      return m_builder.compatibility().is_point_on_boundary(p);
+    });
+    return 2 * static_cast<std::size_t>(agreed) > loop.size();
   }
 
   // Where several fans meet at a point, only the largest stays. Returns whether there were none.

@@ -47,27 +47,23 @@ public:
   // Returns the number of points at which the surface is no manifold in the end.
   std::size_t operator()()
   {
+    m_defects.resize(m_points.size());
     std::vector<std::size_t> todo;
-    for (std::size_t v = m_points.size(); v-- != 0; )
-      todo.push_back(v);
-    std::vector<unsigned char> is_queued(m_points.size(), 1);
+    for (std::size_t v = m_points.size(); v-- != 0; ) {
+      m_defects[v] = count_defects(v);
+      if (m_defects[v] != 0)
+        todo.push_back(v);
+    }
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
-      is_queued[v] = 0;
-      if (defects(v) == 0 || !improve(v))
+      if (m_defects[v] == 0 || !improve(v))
         continue;
-      for (Cell_index c : m_best.cells)
-        for (std::size_t w : m_cell_vertices[c])
-          if (w != NONE && !is_queued[w]) {
-            is_queued[w] = 1;
-            todo.push_back(w);
-          }
+      for (std::size_t w : m_touched)
+        if (m_defects[w] != 0)
+          todo.push_back(w);
     }
-    std::size_t defective = 0;
-    for (std::size_t v = 0; v != m_points.size(); ++v)
-      defective += defects(v) != 0 ? 1u : 0u;
-    return defective;
+    return m_points.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
   }
 
 private:
@@ -143,13 +139,14 @@ private:
   }
 
   // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
-  int defects(std::size_t v)
+  int count_defects(std::size_t v)
   {
     const int components = static_cast<int>(find_components(v));
     return components == 1 ? 1 : components - 2;
   }
 
-  // Makes the best of the moves at vertex v that lessen the defects; false if there is none.
+  // Makes the best of the moves at vertex v that lessen the defects; false if there is none. The
+  // moves change all cells of a component around v, or one of its cells.
   bool improve(std::size_t v)
   {
     m_best = Move{ {}, 0, 0. };
@@ -159,49 +156,54 @@ private:
     for (std::size_t k = 0; k != size; ++k)
       moves[m_component[k]].push_back(m_around[m_begin[v] + k]);
     for (std::size_t k = 0; k != size; ++k)
-      moves.push_back({ m_around[m_begin[v] + k] });
-    if (!try_moves(moves))
+      if (moves[m_component[k]].size() > 1)
+        moves.push_back({ m_around[m_begin[v] + k] });
+    for (const std::vector<Cell_index>& cells : moves)
+      try_move(v, cells);
+    if (m_best.cells.empty())
       return false;
-    for (Cell_index c : m_best.cells)
-      m_labelling.flip(c);
+    flip(m_best.cells);
+    find_touched(m_best.cells);
+    for (std::size_t w : m_touched)
+      m_defects[w] = count_defects(w);
     return true;
   }
 
-  bool try_moves(const std::vector<std::vector<Cell_index> >& moves)
+  void flip(const std::vector<Cell_index>& cells)
   {
-    for (const std::vector<Cell_index>& cells : moves)
-      try_move(cells);
-    return !m_best.cells.empty();
+    for (Cell_index c : cells)
+      m_labelling.flip(c);
   }
 
-  void try_move(const std::vector<Cell_index>& cells)
+  // The vertices of the cells that are in the scope.
+  void find_touched(const std::vector<Cell_index>& cells)
+  {
+    m_touched.clear();
+    for (Cell_index c : cells)
+      for (std::size_t w : m_cell_vertices[c])
+        if (w != NONE)
+          m_touched.push_back(w);
+    std::sort(m_touched.begin(), m_touched.end());
+    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+  }
+
+  // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
+  void try_move(std::size_t v, const std::vector<Cell_index>& cells)
   {
     double gain = 0.;
     for (Cell_index c : cells) {
       gain += m_labelling.gain(c);
       m_labelling.flip(c);
     }
-    if (gain > -m_maximum_loss) {
-      m_touched.clear();
-      for (Cell_index c : cells)
-        for (std::size_t w : m_cell_vertices[c])
-          if (w != NONE)
-            m_touched.push_back(w);
-      std::sort(m_touched.begin(), m_touched.end());
-      m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+    if (gain > -m_maximum_loss && count_defects(v) < m_defects[v]) {
+      find_touched(cells);
       int change = 0;
       for (std::size_t w : m_touched)
-        change += defects(w);
-      for (Cell_index c : cells)
-        m_labelling.flip(c);
-      for (std::size_t w : m_touched)
-        change -= defects(w);
+        change += count_defects(w) - m_defects[w];
       if (change < 0 && (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && gain > m_best.gain)))
         m_best = Move{ cells, change, gain };
-      return;
     }
-    for (Cell_index c : cells)
-      m_labelling.flip(c);
+    flip(cells);
   }
 
   const Cell_complex& m_cells;
@@ -212,6 +214,7 @@ private:
   std::vector<Cell_index> m_around;
   std::vector<std::array<std::size_t, 4> > m_cell_vertices;     // positions in m_points, or NONE
   std::vector<std::size_t> m_position, m_component, m_stack, m_touched;
+  std::vector<int> m_defects;                                   // of each point of the scope
   Move m_best;
 };
 
