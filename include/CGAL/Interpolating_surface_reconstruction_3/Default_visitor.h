@@ -46,7 +46,7 @@ enum class Triangle_verdict
 {
   ADDED,          ///< the triangle is now part of the surface
   EDGE_FULL,      ///< an edge has two triangles already
-  VERTEX_FULL,    ///< a vertex would have more than one closed fan
+  VERTEX_FULL,    ///< a vertex would have a closed fan and other triangles
   NOT_ORIENTABLE, ///< the surface would become non-orientable
   DUPLICATE,      ///< the triangle is part of the surface already
   DEGENERATE,     ///< the three points are collinear
