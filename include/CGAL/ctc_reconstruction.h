@@ -36,8 +36,9 @@ namespace CGAL {
 reconstructs a surface through points by compatible triangle charts.
 
 A star of triangles is built at every point from the points around it; triangles on which the stars
-of all three vertices agree are taken at once, the others are attached by planarity as long as the
-surface stays a manifold; the remaining loops are closed and points left over are inserted.
+of all three vertices agree are taken at once; where the stars conflict, the surface is completed by
+facets of Delaunay tetrahedra that are labelled inside and outside; the remaining loops are closed
+and points left over are inserted.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse

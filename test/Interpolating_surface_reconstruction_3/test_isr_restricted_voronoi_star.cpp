@@ -118,6 +118,60 @@ void test_square_grid()
   }
 }
 
+// The stars of the four corners of a square or rectangle agree on one of its diagonals, in any position.
+void test_diagonals_of_squares()
+{
+  const std::size_t m = 20;
+  const double c = std::cos(.7), s = std::sin(.7);
+  for (int rotation = 0; rotation != 5; ++rotation) {
+    const auto placed = [&](const Local_point& p) {
+      switch (rotation) {
+      case 0: return p;
+      case 1: return Local_point(p.z(), p.x(), p.y());
+      case 2: return on_tilted_plane(p.x() / double(m), p.y() / double(m));
+      case 3: return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), .1);
+      default: return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.x() / 3.);
+      }
+    };
+    // position on the grid of each point
+    std::map<Local_point, std::size_t> position;
+    std::vector<Local_point> points;
+    for (const Local_point& p : square_grid(m)) {
+      points.push_back(placed(p));
+      position[points.back()] = std::size_t(p.x()) + m * std::size_t(p.y());
+    }
+    const Indexed_points indexed(points);
+    const Stars stars = construct_stars<Nearest_neighbors>(indexed, Restricted_voronoi_star_3());
+    std::map<std::array<Point_index, 3>, int> votes;
+    for (std::size_t p = 0; p != stars.links.size(); ++p)
+      for (std::size_t i = 0; i != stars.links[p].size(); ++i) {
+        std::array<Point_index, 3> t = { Point_index(p), stars.links[p][i],
+                                         stars.links[p][(i + 1) % stars.links[p].size()] };
+        std::sort(t.begin(), t.end());
+        if (t[2] != GAP)
+          ++votes[t];
+      }
+    std::map<std::size_t, std::size_t> triangles_of_square; // by its corner closest to the origin
+    for (const auto& v : votes) {
+      if (v.second != 3)
+        continue;
+      std::size_t x = m, y = m, far_x = 0, far_y = 0;
+      for (Point_index q : v.first) {
+        const std::size_t at = position.at(indexed.points[q]);
+        x = (std::min)(x, at % m);
+        y = (std::min)(y, at / m);
+        far_x = (std::max)(far_x, at % m);
+        far_y = (std::max)(far_y, at / m);
+      }
+      assert(far_x == x + 1 && far_y == y + 1);
+      ++triangles_of_square[x + m * y];
+    }
+    for (std::size_t y = 1; y + 2 != m; ++y)
+      for (std::size_t x = 1; x + 2 != m; ++x)
+        assert(triangles_of_square[x + m * y] == 2);
+  }
+}
+
 void test_sphere()
 {
   const Indexed_points indexed(sphere(3000, .005, 4));
@@ -208,6 +262,7 @@ int main()
   test_random_patch();
   test_hexagonal_patch();
   test_square_grid();
+  test_diagonals_of_squares();
   test_sphere();
   test_certainty();
   test_degenerate_neighborhoods();

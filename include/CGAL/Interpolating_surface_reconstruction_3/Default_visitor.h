@@ -30,7 +30,7 @@ enum class Stage
   INDEXING,       ///< copying, sorting and indexing the points
   STARS,          ///< a star of triangles at every point, from its neighbors
   COMPATIBILITY,  ///< triangles on which the stars agree
-  GROWING,        ///< triangles attached where the stars conflict
+  GROWING,        ///< completion of the surface where the stars conflict
   HOLES,          ///< closing of loops and insertion of points left over
   ORIENTATION,    ///< consistent orientation, outward for closed components
   FUNCTION,       ///< the implicit function of `lis_reconstruction()`
@@ -46,7 +46,7 @@ enum class Triangle_verdict
 {
   ADDED,          ///< the triangle is now part of the surface
   EDGE_FULL,      ///< an edge has two triangles already
-  VERTEX_FULL,    ///< a vertex would have more than one closed fan
+  VERTEX_FULL,    ///< a vertex would have a closed fan and other triangles
   NOT_ORIENTABLE, ///< the surface would become non-orientable
   DUPLICATE,      ///< the triangle is part of the surface already
   DEGENERATE,     ///< the three points are collinear

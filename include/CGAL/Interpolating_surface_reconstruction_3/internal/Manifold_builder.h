@@ -31,7 +31,7 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // The only owner of triangles, and the gate that keeps them an orientable 2-manifold: at most two
-// triangles an edge, at most one closed fan a vertex, consistent orientation.
+// triangles an edge, no fan at a vertex besides a closed one, consistent orientation.
 //
 // Points are closed or open. At a closed point the surface is the agreed star and nothing is stored;
 // at an open point the triangles are stored and change. Points on which the stars do not agree are
@@ -233,17 +233,18 @@ private:
       return Triangle_verdict::DEGENERATE;
     if (number_of_triangles(p, q) == 2 || number_of_triangles(q, r) == 2 || number_of_triangles(r, p) == 2)
       return Triangle_verdict::EDGE_FULL;
-    if (is_fan_closed(p) || is_fan_closed(q) || is_fan_closed(r) || closes_one_of_several_fans(p, q, r) || closes_one_of_several_fans(q, r, p) ||
-        closes_one_of_several_fans(r, p, q))
+    if (is_vertex_full(p, q, r) || is_vertex_full(q, r, p) || is_vertex_full(r, p, q))
       return Triangle_verdict::VERTEX_FULL;
     if (is_folded(p, q, r) || is_folded(q, r, p) || is_folded(r, p, q))
       return Triangle_verdict::FOLDED;
     return is_orientable(adjacent_triangles(p, q, r)) ? Triangle_verdict::ADDED : Triangle_verdict::NOT_ORIENTABLE;
   }
 
-  // Whether the link edge (q, r) closes a fan of p while p has other triangles.
-  bool closes_one_of_several_fans(Point_index p, Point_index q, Point_index r) const
+  // Whether p has a closed fan, or the link edge (q, r) closes a fan of p while p has other triangles.
+  bool is_vertex_full(Point_index p, Point_index q, Point_index r) const
   {
+    if (is_fan_closed(p))
+      return true;
     const Fan fan = fan_from(p, q);
     return fan.size != 0 && fan.end == r && fan.size != corners(p).size();
   }

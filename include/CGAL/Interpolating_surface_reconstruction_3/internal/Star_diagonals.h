@@ -92,13 +92,20 @@ private:
     for (std::size_t i = 0; i != m_polygon.size(); ++i) {
       const std::uint32_t q = m_polygon.maker(i == 0 ? m_polygon.size() - 1 : i - 1), r = m_near_misses[i].neighbor,
                           s = m_polygon.maker(i);
-      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && is_own_diagonal_better(q, r, s))
+      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && is_between(q, r, s) &&
+          is_own_diagonal_better(q, r, s))
         link.push_back(r);
       if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
         link.push_back(s);
     }
     if (link.size() > 1 && link.front() == Point_star::GAP && link.back() == Point_star::GAP)
       link.pop_back();
+  }
+
+  // Whether r is seen between q and s. Rounding may ascribe a near miss to the other end of a tiny edge.
+  bool is_between(std::uint32_t q, std::uint32_t r, std::uint32_t s) const
+  {
+    return x(q) * y(r) > y(q) * x(r) && x(r) * y(s) > y(r) * x(s);
   }
 
   void remove_diagonals(std::vector<std::uint32_t>& link) const

@@ -1,0 +1,396 @@
+#include "isr_surface_test_utils.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+using namespace isr_test;
+using isr_internal::Boundary_loop;
+using isr_internal::Boundary_loops;
+using isr_internal::Hole_closing;
+using isr_internal::Hole_filler;
+using isr_internal::Point_insertion;
+using isr_internal::Point_octree_3;
+using Builder = Hand_surface::Builder;
+
+namespace {
+
+constexpr std::size_t UNLIMITED = (std::numeric_limits<std::size_t>::max)();
+
+const auto ignore_verdict = [](const Builder::Triangle&, Triangle_verdict) { };
+const auto no_boundary = [](const Boundary_loop&) { return false; };
+
+bool fill(Hand_surface& s, const std::vector<std::size_t>& loop)
+{
+  Boundary_loop indices;
+  for (std::size_t p : loop)
+    indices.push_back(s.indices[p]);
+  return Hole_filler<Builder>(s.cloud.positions(), s.builder)(indices, ignore_verdict);
+}
+
+void close(Hand_surface& s, std::size_t maximum_size = UNLIMITED)
+{
+  Hole_closing<Builder>(s.cloud.positions(), s.builder, maximum_size)(no_boundary, ignore_verdict);
+}
+
+std::vector<Boundary_loop> loops_of(const Hand_surface& s)
+{
+  return Boundary_loops<Builder>(s.cloud.positions(), s.builder)();
+}
+
+bool is_manifold(Hand_surface& s, const Points& points)
+{
+  return validation::is_oriented_manifold(points, s.triangles(), Kernel());
+}
+
+// For surfaces in the plane z = 0: twice the area if all triangles face the same way, else 0.
+double double_area_of_flat(const Points& points, const Triples& triples)
+{
+  double sum = 0., absolute = 0.;
+  for (const Triple& t : triples) {
+    const double z = CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]).z();
+    sum += z;
+    absolute += std::abs(z);
+  }
+  return std::abs(sum) == absolute ? absolute : 0.;
+}
+
+bool is_edge(const Triples& triples, std::size_t p, std::size_t q)
+{
+  return std::any_of(triples.begin(), triples.end(), [&](const Triple& t) {
+    return std::count(t.begin(), t.end(), p) + std::count(t.begin(), t.end(), q) == 2;
+  });
+}
+
+// A hole in a flat sheet, of `size` edges, without points inside.
+template <typename IsHole>
+void test_flat_hole(const char* name, std::size_t size, const IsHole& is_hole)
+{
+  begin_case(name);
+  const std::size_t m = 9;
+  const Mesh mesh = sheet(m, is_hole);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  const std::vector<Boundary_loop> loops = loops_of(s);
+  ISR_CHECK_EQUAL(loops.size(), 2u);
+  ISR_CHECK_EQUAL(loops[0].size(), size);
+  ISR_CHECK(Hole_filler<Builder>(s.cloud.positions(), s.builder)(loops[0], ignore_verdict));
+  const Triples filled = s.triangles();
+  ISR_CHECK_EQUAL(filled.size(), mesh.triples.size() + size - 2);
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK_EQUAL(double_area_of_flat(mesh.points, filled), double(2 * m * m));
+  ISR_CHECK_EQUAL(validation::boundary_edges(filled).size(), 4 * m);
+}
+
+void test_flat_holes()
+{
+  test_flat_hole("square", 4, [](std::size_t i, std::size_t j) { return i == 4 && j == 4; });
+  test_flat_hole("L", 8, [](std::size_t i, std::size_t j) { return (i == 4 && j == 4) || (i == 5 && j == 4) || (i == 4 && j == 5); });
+  test_flat_hole("U", 12, [](std::size_t i, std::size_t j) {
+    return i >= 3 && i <= 5 && (j == 3 || (j == 4 && i != 4));
+  });
+  test_flat_hole("T", 14, [](std::size_t i, std::size_t j) {
+    return (j == 4 && i >= 2 && i <= 6) || (i == 4 && j == 3);
+  });
+  test_flat_hole("bar", 16, [](std::size_t i, std::size_t j) { return j == 4 && i >= 1 && i <= 7; });
+}
+
+// A filling is planar if it goes on like the surface around it.
+void test_planar_filling()
+{
+  begin_case("planar filling");
+  const Mesh flat = sheet(5, [](std::size_t i, std::size_t j) { return i == 2 && j == 2; });
+  Hand_surface s(flat.points);
+  ISR_CHECK(s.add(flat.triples));
+  ISR_CHECK(Hole_filler<Builder>(s.cloud.positions(), s.builder).fill_if_planar(loops_of(s)[0], ignore_verdict));
+  ISR_CHECK_EQUAL(s.triangles().size(), 50u);
+
+  const Mesh pipe = wall(4, 3.);
+  Hand_surface t(pipe.points);
+  ISR_CHECK(t.add(pipe.triples));
+  ISR_CHECK(!Hole_filler<Builder>(t.cloud.positions(), t.builder).fill_if_planar(loops_of(t)[0], ignore_verdict));
+  ISR_CHECK_EQUAL(t.triangles().size(), 8u);
+  ISR_CHECK(Hole_filler<Builder>(t.cloud.positions(), t.builder)(loops_of(t)[0], ignore_verdict));
+  ISR_CHECK_EQUAL(t.triangles().size(), 10u);
+}
+
+// The boundary of two triangles: the filling must not use their common edge again.
+void test_used_chord()
+{
+  begin_case("a chord that exists elsewhere");
+  const Points bent = { Point(0, 0, 0), Point(1, 0, .3), Point(1, 1, 0), Point(0, 1, .3) };
+  for (std::size_t first : { 0u, 1u }) {
+    Hand_surface s(bent);
+    ISR_CHECK(s.add({ { first, first + 1, first + 2 }, { first, first + 2, (first + 3) % 4 } }));
+    ISR_CHECK(fill(s, { 0, 1, 2, 3 }));
+    ISR_CHECK_EQUAL(s.triangles().size(), 4u);
+    ISR_CHECK(is_edge(s.triangles(), 0, 2) && is_edge(s.triangles(), 1, 3));
+    ISR_CHECK(is_manifold(s, bent) && loops_of(s).empty());
+  }
+  const Points flat = { Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0) };
+  Hand_surface s(flat);
+  ISR_CHECK(s.add({ { 0, 1, 2 }, { 0, 2, 3 } }));
+  ISR_CHECK(!fill(s, { 0, 1, 2, 3 }));
+  ISR_CHECK_EQUAL(s.triangles().size(), 2u);
+}
+
+// A hole in a sheet, and triangles that stand on both its chords.
+void test_used_chords()
+{
+  begin_case("all chords exist elsewhere");
+  const Mesh mesh = sheet(5, [](std::size_t i, std::size_t j) { return i == 2 && j == 2; });
+  const std::size_t a = 2 * 6 + 2, b = a + 6, c = b + 1, d = a + 1; // around the hole
+  Points points = mesh.points;
+  points.emplace_back(2.25, 2.5, 3.);
+  points.emplace_back(2.75, 2.5, -3.);
+  Hand_surface s(points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(s.add({ { a, c, 36 }, { b, d, 37 } }));
+  const Triples before = s.triangles();
+  ISR_CHECK(!fill(s, { a, b, c, d }));
+  ISR_CHECK(s.triangles() == before);
+  close(s, 12); // the triangles in the way go; the outline of the sheet has 20 edges
+  ISR_CHECK(is_manifold(s, points));
+  ISR_CHECK_EQUAL(loops_of(s).size(), 1u);
+  ISR_CHECK_EQUAL(s.triangles().size(), 50u);
+}
+
+void test_no_loops()
+{
+  begin_case("what cannot be filled");
+  const Mesh mesh = sheet(2);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(!fill(s, { 0, 1 }));
+  ISR_CHECK(!fill(s, {}));
+  ISR_CHECK(!fill(s, { 0, 1, 2 })); // collinear
+  ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
+}
+
+// Longer than what is triangulated in the best way.
+void test_long_loop()
+{
+  begin_case("long loops");
+  const std::size_t n = 300;
+  const Mesh mesh = wall(n, .02);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK_EQUAL(loops_of(s).size(), 2u);
+  close(s);
+  ISR_CHECK(loops_of(s).empty());
+  ISR_CHECK_EQUAL(s.triangles().size(), 2 * n + 2 * (n - 2));
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK_EQUAL(validation::euler_characteristic(s.triangles()), 2);
+}
+
+// All that could close a flat sheet would lie on it.
+void test_flat_sheet()
+{
+  begin_case("flat sheet");
+  const Mesh mesh = sheet(24);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(!Hole_filler<Builder>(s.cloud.positions(), s.builder)(loops_of(s)[0], ignore_verdict));
+  ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
+  close(s);
+  const Triples left = s.triangles();
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK(!left.empty() && double_area_of_flat(mesh.points, left) > 0.);
+  ISR_CHECK_EQUAL(loops_of(s).size(), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(left), 1);
+}
+
+void test_maximum_size()
+{
+  begin_case("maximum size");
+  // a globe without its south pole, whose loop has 7 edges, and without a quadrangle
+  const Mesh mesh = globe(6, 7);
+  Triples triples(mesh.triples.begin() + 7, mesh.triples.end());
+  triples.erase(triples.begin() + 28, triples.begin() + 30);
+  for (const std::size_t size : { std::size_t(0), std::size_t(3), std::size_t(4), std::size_t(6), std::size_t(7), UNLIMITED }) {
+    Hand_surface s(mesh.points);
+    ISR_CHECK(s.add(triples));
+    ISR_CHECK_EQUAL(loops_of(s).size(), 2u);
+    close(s, size);
+    ISR_CHECK_EQUAL(loops_of(s).size(), size < 4 ? 2u : size < 7 ? 1u : 0u);
+    ISR_CHECK(is_manifold(s, mesh.points));
+    ISR_CHECK_EQUAL(s.triangles().size(), triples.size() + (size < 4 ? 0u : size < 7 ? 2u : 7u));
+  }
+
+  begin_case("boundaries stay open");
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(triples));
+  Hole_closing<Builder>(s.cloud.positions(), s.builder, UNLIMITED)(
+    [](const Boundary_loop& loop) { return loop.size() == 4; }, ignore_verdict);
+  const auto left = loops_of(s);
+  ISR_CHECK(left.size() == 1 && left[0].size() == 4);
+}
+
+void test_largest_fans()
+{
+  begin_case("the largest fan stays");
+  Mesh mesh = sheet(4);
+  mesh.points.emplace_back(2, 2, 7);
+  mesh.points.emplace_back(3, 3, 8);
+  mesh.points.emplace_back(2, 4, 9);
+  const Triples flat = mesh.triples;
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(flat));
+  // at a side and at a corner
+  ISR_CHECK(s.add({ { 2, 25, 26 }, { 0, 25, 27 } }));
+  ISR_CHECK(!is_manifold(s, mesh.points));
+  close(s, 0);
+  ISR_CHECK(canonical(s.triangles()) == canonical(flat) || canonical(s.triangles()) == canonical(turned(flat)));
+
+  // two triangles at a corner of one
+  Mesh corner = sheet(4, [](std::size_t i, std::size_t j) { return i == 0 && j == 0; });
+  corner.points = mesh.points;
+  const Triples without_corner = corner.triples;
+  Hand_surface t(corner.points);
+  ISR_CHECK(t.add(without_corner));
+  ISR_CHECK(t.add({ { 0, 6, 5 }, { 0, 25, 26 }, { 0, 26, 27 } }));
+  close(t, 0);
+  ISR_CHECK(is_manifold(t, corner.points));
+  ISR_CHECK_EQUAL(t.triangles().size(), without_corner.size() + 2);
+}
+
+// Random holes in a globe, many of which touch: whatever it takes, the surface closes.
+void test_many_holes()
+{
+  for (std::uint64_t seed = 1; seed != 7; ++seed) {
+    begin_case("many holes, seed " + std::to_string(seed));
+    Mesh mesh = globe(14, 20);
+    mesh.points = with_noise(mesh.points, .02, seed);
+    Random random(seed);
+    Hand_surface s(mesh.points, links_of(mesh.points.size(), mesh.triples));
+    Triples left = s.triangles();
+    for (std::size_t i = 0; i != 30 * seed; ++i) {
+      const std::size_t k = random.below(left.size());
+      s.remove(left[k][0], left[k][1], left[k][2]);
+      left.erase(left.begin() + std::ptrdiff_t(k));
+    }
+    close(s);
+    ISR_CHECK(loops_of(s).empty());
+    ISR_CHECK(is_manifold(s, mesh.points));
+    ISR_CHECK(!s.triangles().empty());
+  }
+}
+
+// ---- insertion of points -------------------------------------------------------------------------
+
+// The number of points left over.
+std::size_t insert_points(Hand_surface& s)
+{
+  const Point_octree_3 octree(s.cloud.positions());
+  return Point_insertion<Builder>(s.cloud.positions(), octree, std::numeric_limits<double>::infinity(), s.builder)();
+}
+
+// `more` triangles are expected; the link of the new point is returned.
+std::vector<std::size_t> test_one_point(const char* name, const Point& point, std::size_t more)
+{
+  begin_case(name);
+  const std::size_t m = 6;
+  Mesh mesh = sheet(m);
+  Links links = links_of(mesh.points.size(), mesh.triples);
+  mesh.points.push_back(point);
+  const std::size_t added = mesh.points.size() - 1;
+  links.emplace_back();
+  Hand_surface s(mesh.points, links);
+  ISR_CHECK_EQUAL(insert_points(s), 0u);
+  const Triples triples = s.triangles();
+  ISR_CHECK_EQUAL(triples.size(), mesh.triples.size() + more);
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), 1u);
+  ISR_CHECK_EQUAL(validation::used_points(triples).size(), mesh.points.size());
+  std::set<std::size_t> link;
+  for (const Triple& t : triples)
+    if (std::count(t.begin(), t.end(), added) != 0)
+      link.insert(t.begin(), t.end());
+  link.erase(added);
+  return std::vector<std::size_t>(link.begin(), link.end());
+}
+
+void test_insertion()
+{
+  using Indices = std::vector<std::size_t>;
+  // the triangle (2, 3), (3, 3), (3, 4); point (x, y) of the sheet is 7 x + y
+  ISR_CHECK((test_one_point("in a triangle", Point(2.7, 3.3, 0.), 2) == Indices{ 17, 24, 25 }));
+  ISR_CHECK((test_one_point("above a triangle", Point(2.7, 3.3, .2), 2) == Indices{ 17, 24, 25 }));
+  // shared by the triangles to (2, 4) and (3, 3)
+  ISR_CHECK((test_one_point("on an edge", Point(2.5, 3.5, 0.), 2) == Indices{ 17, 18, 24, 25 }));
+  ISR_CHECK((test_one_point("on the boundary", Point(3.5, 0., 0.), 1) == Indices{ 21, 28, 29 }));
+  ISR_CHECK((test_one_point("beyond the boundary", Point(3.5, -.3, 0.), 1) == Indices{ 21, 28, 29 }));
+  ISR_CHECK(test_one_point("far beyond a corner", Point(-30., -20., 0.), 1).size() == 3);
+}
+
+void test_insertion_of_many()
+{
+  for (std::uint64_t seed : { 1u, 2u, 3u }) {
+    begin_case("many points, seed " + std::to_string(seed));
+    Mesh mesh = globe(9, 12);
+    Links links = links_of(mesh.points.size(), mesh.triples);
+    Random random(seed);
+    for (std::size_t i = 0; i != 300; ++i)
+      mesh.points.push_back(CGAL::ORIGIN + random.uniform(.97, 1.03) * random.unit());
+    links.resize(mesh.points.size());
+    Hand_surface s(mesh.points, links);
+    ISR_CHECK_EQUAL(insert_points(s), 0u);
+    const Triples triples = s.triangles();
+    ISR_CHECK(is_manifold(s, mesh.points));
+    ISR_CHECK_EQUAL(validation::used_points(triples).size(), mesh.points.size());
+    ISR_CHECK_EQUAL(triples.size(), mesh.triples.size() + 2 * 300);
+    ISR_CHECK_EQUAL(validation::euler_characteristic(triples), 2);
+  }
+
+  begin_case("points on the lines of a sheet");
+  Mesh mesh = sheet(5);
+  Links links = links_of(mesh.points.size(), mesh.triples);
+  for (std::size_t i = 0; i != 5; ++i)
+    for (std::size_t j = 0; j != 5; ++j)
+      for (double x : { .25, .5, .75 })
+        mesh.points.emplace_back(double(i) + x, double(j) + (j % 2 == 0 ? x : 0.), 0.);
+  links.resize(mesh.points.size());
+  Hand_surface s(mesh.points, links);
+  ISR_CHECK_EQUAL(insert_points(s), 0u);
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK_EQUAL(validation::used_points(s.triangles()).size(), mesh.points.size());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(s.triangles()), 1);
+  ISR_CHECK_EQUAL(double_area_of_flat(mesh.points, s.triangles()), 50.);
+}
+
+void test_no_surface_to_insert_into()
+{
+  begin_case("no surface to insert into");
+  const Points points = random_cube(20, 3);
+  Hand_surface s(points);
+  ISR_CHECK_EQUAL(insert_points(s), 20u);
+  ISR_CHECK(s.triangles().empty());
+}
+
+} // namespace
+
+int main()
+{
+  test_flat_holes();
+  test_planar_filling();
+  test_used_chord();
+  test_used_chords();
+  test_no_loops();
+  test_long_loop();
+  test_flat_sheet();
+  test_maximum_size();
+  test_largest_fans();
+  test_many_holes();
+  test_insertion();
+  test_insertion_of_many();
+  test_no_surface_to_insert_into();
+  return result();
+}
