@@ -148,7 +148,11 @@ public:
   // Whether an open point has a closed fan; then it has no other.
   bool is_fan_closed(Point_index p) const
   {
-    return !corners(p).empty() && number_of_boundary_edges(p) == 0;
+    // In a closed fan every neighbor occurs twice.
+    Point_index parity = 0;
+    for (const Corner& c : corners(p))
+      parity ^= c.a ^ c.b;
+    return parity == 0 && !corners(p).empty() && number_of_boundary_edges(p) == 0;
   }
 
   // Attaches the triangle (p, q, r) if the surface stays a manifold.
@@ -245,6 +249,8 @@ private:
   {
     if (is_fan_closed(p))
       return true;
+    if (number_of_triangles(p, q) == 0 || number_of_triangles(p, r) == 0)
+      return false;
     const Fan fan = fan_from(p, q);
     return fan.size != 0 && fan.end == r && fan.size != corners(p).size();
   }

@@ -46,10 +46,12 @@ public:
       const bool is_single = keep_largest_fans();
       if (failed.empty() && is_single)
         return;
+      if (round + 1 == MAXIMUM_ROUNDS)
+        break;
       for (const Boundary_loop& loop : failed)
-        if (round + 1 != MAXIMUM_ROUNDS)
-          remove_ring(loop);
+        remove_ring(loop);
     }
+    restore_rings();
     keep_largest_fans();
   }
 
@@ -81,9 +83,9 @@ private:
     return false;
   }
 
-  // A loop that resists widening this often lies on a surface that folds onto itself, such as a
-  // closed flat sheet, and stays open.
-  static constexpr std::size_t MAXIMUM_ROUNDS = 8;
+  // A loop that resists widening this often bounds a surface that would fold onto itself, such as a
+  // sheet; it stays open as it was.
+  static constexpr std::size_t MAXIMUM_ROUNDS = 4;
 
   template <typename IsBoundary, typename OnVerdict>
   std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, OnVerdict on_verdict)
@@ -95,13 +97,13 @@ private:
     return failed;
   }
 
-  // Whether most stars along the loop agree that the surface ends there.
+  // Whether most stars along the loop agree that the surface ends there. A short loop is a gap.
   bool is_agreed_boundary(const Boundary_loop& loop) const
   {
     const auto agreed = std::count_if(loop.begin(), loop.end(), [&](Point_index p) {
       return m_builder.compatibility().is_point_on_boundary(p);
     });
-    return 2 * static_cast<std::size_t>(agreed) > loop.size();
+    return loop.size() > MAXIMUM_PLANAR_SIZE && 2 * static_cast<std::size_t>(agreed) > loop.size();
   }
 
   // Where several fans meet at a point, only the largest stays. Returns whether there were none.
@@ -163,15 +165,25 @@ private:
   {
     for (std::size_t i = 0; i != loop.size(); ++i) {
       const Point_index p = loop[i], q = loop[(i + 1) % loop.size()], r = m_builder.opposite_vertex(p, q);
-      if (r != NO_POINT)
-        m_builder.remove(m_builder.find_triangle(p, q, r));
+      if (r == NO_POINT)
+        continue;
+      m_builder.remove(m_builder.find_triangle(p, q, r));
+      m_removed.push_back(typename Builder::Triangle{ { p, q, r } });
     }
+  }
+
+  // Attaches the triangles again that were removed in vain.
+  void restore_rings()
+  {
+    for (; !m_removed.empty(); m_removed.pop_back())
+      m_builder.try_add(m_removed.back()[0], m_removed.back()[1], m_removed.back()[2]);
   }
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
   std::size_t m_maximum_size;
   Hole_filler<Builder> m_fill;
+  std::vector<typename Builder::Triangle> m_removed; // in widening, in this order
 };
 
 } // namespace internal

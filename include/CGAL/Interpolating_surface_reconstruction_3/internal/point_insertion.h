@@ -98,6 +98,7 @@ private:
     });
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
+    result.resize((std::min)(result.size(), MAXIMUM_TARGETS));
     return result;
   }
 
@@ -166,6 +167,9 @@ private:
       }
     return true;
   }
+
+  // A point that the nearest triangles refuse would only be taken by ones that are not near.
+  static constexpr std::size_t MAXIMUM_TARGETS = 48;
 
   // Beyond so many neighbors without a triangle a point has no surface around it.
   static constexpr std::size_t MAXIMUM_NEIGHBORS = 384;
