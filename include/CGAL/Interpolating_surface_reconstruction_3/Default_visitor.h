@@ -81,7 +81,8 @@ struct Default_visitor
   /// called when a stage ends, with the number of items that it produced.
   void on_stage_end(Stage /* stage */, std::size_t /* items */) { }
 
-  /// called before the end with the number of distinct finite points that no triangle uses.
+  /// called before the end, unless cancelled, with the number of distinct finite points that no
+  /// triangle uses.
   void on_points_unused(std::size_t /* unused */) { }
 
   /// called last.
