@@ -36,9 +36,10 @@ namespace CGAL {
 reconstructs a surface through points by compatible triangle charts.
 
 A star of triangles is built at every point from the points around it; triangles on which the stars
-of all three vertices agree are taken at once; where the stars conflict, the surface is completed by
-facets of Delaunay tetrahedra that are labelled inside and outside; the remaining loops are closed
-and points left over are inserted.
+of all three vertices agree are taken at once, and small loops between them are closed if that can be
+done by nearly planar triangles; where the stars conflict, the surface is completed by facets of
+Delaunay tetrahedra that are labelled inside and outside by the votes of the stars; the remaining
+loops are closed, islands on which no star agrees are dissolved, and points left over are inserted.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse

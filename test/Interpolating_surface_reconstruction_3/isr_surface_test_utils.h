@@ -42,6 +42,14 @@ using isr_internal::Star_table;
 using isr_internal::Star_compatibility;
 using CGAL::Interpolating_surface_reconstruction_3::Triangle_verdict;
 
+// Progress of which nobody is told.
+struct No_progress
+{
+  bool advance(double) const { return true; }
+  bool is_cancelled() const { return false; }
+};
+constexpr No_progress no_progress;
+
 using Link = std::vector<Point_index>;
 using Links = std::vector<Link>;
 

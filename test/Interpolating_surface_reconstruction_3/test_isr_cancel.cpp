@@ -106,6 +106,8 @@ void test_stages()
     visitor.last = stage;
     const Triples triples = ctc(sphere(), params::visitor(std::ref(visitor)));
     ISR_CHECK(visitor.is_stopped); // every stage is announced
+    ISR_CHECK_EQUAL(visitor.stages_begun, std::size_t(stage) + 1); // and none follows
+    ISR_CHECK_EQUAL(visitor.stages_ended, visitor.stages_begun);
     ISR_CHECK(triples.empty());
     ISR_CHECK(visitor.was_cancelled);
   }

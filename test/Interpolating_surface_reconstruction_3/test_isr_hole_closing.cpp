@@ -38,7 +38,7 @@ bool fill(Hand_surface& s, const std::vector<std::size_t>& loop)
 
 void close(Hand_surface& s, std::size_t maximum_size = UNLIMITED)
 {
-  Hole_closing<Builder>(s.cloud.positions(), s.builder, maximum_size)(no_boundary, ignore_verdict);
+  Hole_closing<Builder>(s.cloud.positions(), s.builder, maximum_size)(no_boundary, no_progress, ignore_verdict);
 }
 
 std::vector<Boundary_loop> loops_of(const Hand_surface& s)
@@ -229,7 +229,7 @@ void test_maximum_size()
   Hand_surface s(mesh.points);
   ISR_CHECK(s.add(triples));
   Hole_closing<Builder>(s.cloud.positions(), s.builder, UNLIMITED)(
-    [](const Boundary_loop& loop) { return loop.size() == 4; }, ignore_verdict);
+    [](const Boundary_loop& loop) { return loop.size() == 4; }, no_progress, ignore_verdict);
   const auto left = loops_of(s);
   ISR_CHECK(left.size() == 1 && left[0].size() == 4);
 }
@@ -290,7 +290,7 @@ void test_many_holes()
 std::size_t insert_points(Hand_surface& s)
 {
   const Point_octree_3 octree(s.cloud.positions());
-  return Point_insertion<Builder>(s.cloud.positions(), octree, std::numeric_limits<double>::infinity(), s.builder)();
+  return Point_insertion<Builder>(s.cloud.positions(), octree, std::numeric_limits<double>::infinity(), s.builder)(no_progress);
 }
 
 // `more` triangles are expected; the link of the new point is returned.

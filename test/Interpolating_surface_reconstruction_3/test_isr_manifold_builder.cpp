@@ -251,7 +251,7 @@ void test_random_triangles()
       ISR_CHECK(verdicts[verdict] != 0);
     // only fans stand between that and a manifold
     Hole_closing<Builder> close(s.cloud.positions(), s.builder, 0);
-    close([](const Boundary_loop&) { return false; }, [](const Builder::Triangle&, Triangle_verdict) { });
+    close([](const Boundary_loop&) { return false; }, no_progress, [](const Builder::Triangle&, Triangle_verdict) { });
     ISR_CHECK(validation::is_oriented_manifold(points, s.triangles(), Kernel()));
     ISR_CHECK(!s.triangles().empty());
   }

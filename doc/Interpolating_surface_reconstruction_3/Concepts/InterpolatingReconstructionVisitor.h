@@ -58,7 +58,7 @@ public:
   void on_stage_end(CGAL::Interpolating_surface_reconstruction_3::Stage stage, std::size_t items);
 
   /*!
-  is called before the end.
+  is called before the end, unless the reconstruction is cancelled.
   \param unused number of distinct finite points that no triangle uses.
   */
   void on_points_unused(std::size_t unused);

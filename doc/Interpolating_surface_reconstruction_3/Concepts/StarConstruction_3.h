@@ -10,6 +10,10 @@ vectors from the point, in double precision and in a unit of the cloud's own, so
 must not depend on a length being large or small in absolute terms. Two calls with the same
 neighborhood must give the same star.
 
+A triangle is taken at once if the stars of its three vertices have it, so the surface is the better
+the more the stars of neighboring points agree. Choices that depend on what only one of the points
+sees, such as a diagonal chosen in its tangent plane, should be avoided.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Interpolating_surface_reconstruction_3::Restricted_voronoi_star_3}
 \cgalHasModelsEnd

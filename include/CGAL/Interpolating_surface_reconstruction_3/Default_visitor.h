@@ -30,8 +30,8 @@ enum class Stage
   INDEXING,       ///< copying, sorting and indexing the points
   STARS,          ///< a star of triangles at every point, from its neighbors
   COMPATIBILITY,  ///< triangles on which the stars agree
-  GROWING,        ///< completion of the surface where the stars conflict
-  HOLES,          ///< closing of loops and insertion of points left over
+  GROWING,        ///< closing of planar loops, completion of the surface where the stars conflict
+  HOLES,          ///< closing of loops, dissolving of islands, insertion of points left over
   ORIENTATION,    ///< consistent orientation, outward for closed components
   FUNCTION,       ///< the implicit function of `lis_reconstruction()`
   ISOSURFACE      ///< the surface of the implicit function
@@ -81,7 +81,8 @@ struct Default_visitor
   /// called when a stage ends, with the number of items that it produced.
   void on_stage_end(Stage /* stage */, std::size_t /* items */) { }
 
-  /// called before the end with the number of distinct finite points that no triangle uses.
+  /// called before the end, unless cancelled, with the number of distinct finite points that no
+  /// triangle uses.
   void on_points_unused(std::size_t /* unused */) { }
 
   /// called last.

@@ -69,12 +69,18 @@ public:
   bool operator()(const Output& output)
   {
     const Point_octree_3 octree = build_octree();
+    if (m_progress.is_cancelled())
+      return false;
     const Star_table stars = build_stars(octree);
     if (m_progress.is_cancelled())
       return false;
     Star_compatibility compatibility = find_agreed_triangles(stars);
+    if (m_progress.is_cancelled())
+      return false;
     Builder builder(compatibility, m_predicates);
     complete_conflicts(octree, builder);
+    if (m_progress.is_cancelled())
+      return false;
     close_holes(octree, builder);
     return !m_progress.is_cancelled() && write_oriented(builder, output);
   }
@@ -125,7 +131,7 @@ private:
       report(t, verdict);
     };
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
-    close.close_planar_loops(on_verdict);
+    close.close_planar_loops(m_progress, on_verdict);
     Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
     complete(m_progress, on_verdict);
     m_progress.end_stage(attached);
@@ -139,14 +145,16 @@ private:
     const auto is_boundary = [&](const Boundary_loop& loop) {
       return m_options.keep_boundaries && are_most_stars_open(builder, loop);
     };
-    close(is_boundary, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
+    close(is_boundary, m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     });
     Island_removal<Builder> remove_islands(builder);
     remove_islands();
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
-    m_progress.visitor().on_points_unused(insert());
+    const std::size_t unused = insert(m_progress);
+    if (!m_progress.is_cancelled())
+      m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);
   }
 

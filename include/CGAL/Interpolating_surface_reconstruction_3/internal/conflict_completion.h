@@ -47,7 +47,7 @@ public:
   void operator()(Progress& progress, OnVerdict on_verdict)
   {
     find_conflicts();
-    const std::vector<std::vector<std::size_t> > clusters = find_clusters();
+    const std::vector<std::vector<std::size_t> > clusters = find_clusters(progress);
     std::size_t done = 0;
     for (const std::vector<std::size_t>& cluster : clusters) {
       complete(cluster, on_verdict);
@@ -149,12 +149,15 @@ private:
     return static_cast<Point_index>(std::lower_bound(m_conflicts.begin(), m_conflicts.end(), conflict) - m_conflicts.begin());
   }
 
-  // Conflicts that see each other, as positions in m_conflicts.
-  std::vector<std::vector<std::size_t> > find_clusters()
+  // Conflicts that see each other, as positions in m_conflicts; none if cancelled.
+  template <typename Progress>
+  std::vector<std::vector<std::size_t> > find_clusters(Progress& progress)
   {
     Parity_union_find sets(m_conflicts.size());
     m_surroundings.resize(m_conflicts.size());
     for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
+      if (i % CONFLICTS_PER_POLL == 0 && !progress.advance(0.))
+        return {};
       surroundings(m_conflicts[i], m_surroundings[i]);
       for (Point_index q : m_surroundings[i])
         if (is_conflict(q))
@@ -383,6 +386,8 @@ private:
 
   // Open stars that must follow one another in both directions to make a boundary.
   static constexpr std::size_t BOUNDARY_LENGTH = 2;
+
+  static constexpr std::size_t CONFLICTS_PER_POLL = 1024;
 
   // Two rings of a regular sample hold 18 points.
   static constexpr std::size_t NEIGHBORS = 16;

@@ -38,11 +38,14 @@ public:
     : m_points(points), m_builder(builder), m_maximum_size(maximum_size), m_fill(points, builder)
   { }
 
-  template <typename IsBoundary, typename OnVerdict>
-  void operator()(const IsBoundary& is_boundary, OnVerdict on_verdict)
+  // Ends early if cancelled.
+  template <typename IsBoundary, typename Progress, typename OnVerdict>
+  void operator()(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
   {
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
-      const std::vector<Boundary_loop> failed = fill_loops(is_boundary, on_verdict);
+      const std::vector<Boundary_loop> failed = fill_loops(is_boundary, progress, on_verdict);
+      if (progress.is_cancelled())
+        return;
       const bool is_single = keep_largest_fans();
       if (failed.empty() && is_single)
         return;
@@ -57,15 +60,19 @@ public:
 
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
   // quadrangle on whose diagonal the stars do not agree. A loop around a point without triangles is
-  // left alone, and so is one along which no star is in conflict: it is a boundary.
-  template <typename OnVerdict>
-  void close_planar_loops(OnVerdict on_verdict)
+  // left alone, and so is one along which no star is in conflict: it is a boundary. Ends early if
+  // cancelled.
+  template <typename Progress, typename OnVerdict>
+  void close_planar_loops(Progress& progress, OnVerdict on_verdict)
   {
-    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
+    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
+      if (!progress.advance(0.))
+        return;
       if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
           !std::all_of(loop.begin(), loop.end(), [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
           std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
         m_fill.fill_if_planar(loop, on_verdict);
+    }
   }
 
 private:
@@ -87,13 +94,16 @@ private:
   // sheet; it stays open as it was.
   static constexpr std::size_t MAXIMUM_ROUNDS = 4;
 
-  template <typename IsBoundary, typename OnVerdict>
-  std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, OnVerdict on_verdict)
+  template <typename IsBoundary, typename Progress, typename OnVerdict>
+  std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
   {
     std::vector<Boundary_loop> failed;
-    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)())
+    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
+      if (!progress.advance(0.))
+        break;
       if (loop.size() <= m_maximum_size && !is_boundary(loop) && !m_fill(loop, on_verdict) && !is_agreed_boundary(loop))
         failed.push_back(loop);
+    }
     return failed;
   }
 

@@ -36,8 +36,9 @@ public:
     : m_points(points), m_builder(builder), m_octree(octree), m_neighbors(points, octree, maximum_radius)
   { }
 
-  // Returns the number of points that could not be inserted.
-  std::size_t operator()()
+  // Returns the number of points that could not be inserted. Ends early if cancelled.
+  template <typename Progress>
+  std::size_t operator()(Progress& progress)
   {
     std::vector<Point_index> unused;
     for (Point_index p : m_builder.open_points())
@@ -47,7 +48,7 @@ public:
     // A point may get a surface to lie on only when its neighbors have been inserted.
     for (std::size_t before = unused.size() + 1; !unused.empty() && unused.size() != before; ) {
       before = unused.size();
-      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return insert(p); }), unused.end());
+      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }), unused.end());
     }
     return unused.size();
   }
