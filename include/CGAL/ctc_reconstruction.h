@@ -105,7 +105,8 @@ The method is from chapter 4 of the thesis cited in the user manual.
     \cgalParamDescription{* the largest number of edges of a boundary loop that is closed; `0` closes none}
     \cgalParamType{an integer type}
     \cgalParamDefault{no limit}
-    \cgalParamExtra{`std::invalid_argument` is thrown if it is negative}
+    \cgalParamExtra{`std::invalid_argument` is thrown if it is negative. Places where stars conflict are no
+      holes: they are completed whatever the value}
   \cgalParamNEnd
   \cgalParamNBegin{keep_boundaries}
     \cgalParamDescription{* whether loops stay open that the sampling shows to be boundaries of the surface}

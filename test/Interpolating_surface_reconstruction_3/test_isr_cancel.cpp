@@ -99,7 +99,7 @@ void test_callback(std::size_t number_of_calls)
 void test_stages()
 {
   const isr::Stage stages[] = { isr::Stage::INDEXING, isr::Stage::STARS, isr::Stage::COMPATIBILITY,
-                                isr::Stage::GROWING, isr::Stage::HOLES, isr::Stage::ORIENTATION };
+                                isr::Stage::COMPLETION, isr::Stage::HOLES, isr::Stage::ORIENTATION };
   for (const isr::Stage stage : stages) {
     begin_case("visitor cancels in stage " + std::to_string(int(stage)));
     Stage_stopping_visitor visitor;

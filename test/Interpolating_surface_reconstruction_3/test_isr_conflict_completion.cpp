@@ -364,7 +364,7 @@ std::size_t complete(Hand_surface& s)
   const Point_octree_3 octree(s.cloud.positions());
   CGAL::Interpolating_surface_reconstruction_3::Default_visitor visitor;
   isr_internal::Progress<decltype(visitor)> progress(std::function<bool(double)>(), visitor);
-  progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::GROWING, 1.);
+  progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::COMPLETION, 1.);
   std::size_t added = 0;
   Conflict_completion<Builder>(s.cloud.positions(), octree, INFINITE, s.builder)(
     progress, [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; });

@@ -13,6 +13,8 @@
 
 #include "isr_test_ctc.h"
 
+#include <CGAL/Interpolating_surface_reconstruction_3/Regularity_star_3.h>
+
 using namespace isr_test;
 
 // All distinct points on a surface with the topology of the sample's.
@@ -130,6 +132,10 @@ void test_star_construction()
   begin_case("star construction");
   const Sample s = torus(40, 16, .2, 3);
   ISR_CHECK(ctc(s.points, params::star_construction(isr::Restricted_voronoi_star_3())) == ctc(s.points));
+
+  begin_case("star construction of the thesis");
+  Counting_visitor visitor;
+  check_topology(s, checked_ctc(s.points, visitor, params::star_construction(isr::Regularity_star_3())), visitor);
 }
 
 int main()

@@ -31,7 +31,7 @@ struct Recording_visitor : ISR_visitor
 template <typename Visitor>
 void run(Progress<Visitor>& progress)
 {
-  for (Stage stage : { Stage::INDEXING, Stage::STARS, Stage::GROWING, Stage::ORIENTATION }) {
+  for (Stage stage : { Stage::INDEXING, Stage::STARS, Stage::COMPLETION, Stage::ORIENTATION }) {
     progress.begin_stage(stage, .25);
     for (int i = 0; i <= 10; ++i)
       progress.advance(.1 * i);
@@ -63,7 +63,7 @@ void test_monotone()
   assert(visitor.events.size() == 8 && &progress.visitor() == &visitor);
   const std::vector<std::pair<Stage, std::ptrdiff_t>> expected = {
     { Stage::INDEXING, -1 },    { Stage::INDEXING, 10 },   { Stage::STARS, -1 },
-    { Stage::STARS, 10 },       { Stage::GROWING, -1 },    { Stage::GROWING, 10 },
+    { Stage::STARS, 10 },       { Stage::COMPLETION, -1 },    { Stage::COMPLETION, 10 },
     { Stage::ORIENTATION, -1 }, { Stage::ORIENTATION, 10 }
   };
   assert(visitor.events == expected);

@@ -30,7 +30,7 @@ enum class Stage
   INDEXING,       ///< copying, sorting and indexing the points
   STARS,          ///< a star of triangles at every point, from its neighbors
   COMPATIBILITY,  ///< triangles on which the stars agree
-  GROWING,        ///< closing of planar loops, completion of the surface where the stars conflict
+  COMPLETION,     ///< closing of planar loops, completion of the surface where the stars conflict
   HOLES,          ///< closing of loops, dissolving of islands, insertion of points left over
   ORIENTATION,    ///< consistent orientation, outward for closed components
   FUNCTION,       ///< the implicit function of `lis_reconstruction()`

@@ -87,7 +87,7 @@ public:
 
 private:
   // Shares of the run time, measured on scans, for the progress.
-  static constexpr double INDEXING_SHARE = .05, STARS_SHARE = .6, COMPATIBILITY_SHARE = .1, GROWING_SHARE = .1,
+  static constexpr double INDEXING_SHARE = .05, STARS_SHARE = .6, COMPATIBILITY_SHARE = .1, COMPLETION_SHARE = .1,
                           HOLES_SHARE = .05, ORIENTATION_SHARE = .1;
 
   Point_octree_3 build_octree()
@@ -124,7 +124,7 @@ private:
 
   void complete_conflicts(const Point_octree_3& octree, Builder& builder)
   {
-    m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
+    m_progress.begin_stage(Stage::COMPLETION, COMPLETION_SHARE);
     std::size_t attached = 0;
     const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;

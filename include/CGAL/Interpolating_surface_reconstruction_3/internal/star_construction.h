@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Box_neighborhoods.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
@@ -34,6 +35,9 @@ struct Neighborhoods;
 
 template <>
 struct Neighborhoods<Nearest_neighborhood_tag> { using type = Nearest_neighbors; };
+
+template <>
+struct Neighborhoods<Box_neighborhood_tag> { using type = Box_neighborhoods; };
 
 // Stars of the points of the leaves [begin, end), in the order of the points.
 template <typename StarConstruction>
