@@ -201,11 +201,7 @@ void test_flat_sheet()
   ISR_CHECK(!Hole_filler<Builder>(s.cloud.positions(), s.builder)(loops_of(s)[0], ignore_verdict));
   ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
   close(s);
-  const Triples left = s.triangles();
-  ISR_CHECK(is_manifold(s, mesh.points));
-  ISR_CHECK(!left.empty() && double_area_of_flat(mesh.points, left) > 0.);
-  ISR_CHECK_EQUAL(loops_of(s).size(), 1u);
-  ISR_CHECK_EQUAL(validation::euler_characteristic(left), 1);
+  ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
 }
 
 void test_maximum_size()

@@ -49,14 +49,23 @@ public:
     std::array<Cell_index, 4> neighbors; // neighbor i is opposite to vertex i
   };
 
-  // `points` are distinct.
+  // `points` are distinct. There are no cells if they are coplanar, or if they have far more cells than
+  // the samples of a surface, which may be as many as the square of the points, as on a helix.
   Cell_complex(const std::vector<Local_point>& positions, const std::vector<Point_index>& points)
   {
-    std::vector<std::pair<Delaunay::Point, Point_index> > sites;
-    sites.reserve(points.size());
-    for (Point_index p : points)
-      sites.emplace_back(Delaunay::Point(positions[p].x(), positions[p].y(), positions[p].z()), p);
-    const Delaunay delaunay(sites.begin(), sites.end());
+    Delaunay delaunay;
+    // Every second point of the ones left out so far joins in a round, the first round has few.
+    std::size_t stride = 1;
+    while (points.size() / stride > POINTS_OF_FIRST_ROUND)
+      stride *= 2;
+    for (bool is_first = true; stride != 0; stride /= 2, is_first = false) {
+      std::vector<std::pair<Delaunay::Point, Point_index> > sites;
+      for (std::size_t i = is_first ? 0 : stride; i < points.size(); i += is_first ? stride : 2 * stride)
+        sites.emplace_back(Delaunay::Point(positions[points[i]].x(), positions[points[i]].y(), positions[points[i]].z()), points[i]);
+      delaunay.insert(sites.begin(), sites.end());
+      if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices())
+        return;
+    }
     // Coplanar points have no cells.
     if (delaunay.dimension() == 3)
       copy_cells(delaunay);
@@ -78,6 +87,9 @@ public:
   }
 
 private:
+  // A random sample has 7 cells a point.
+  static constexpr std::size_t MAXIMUM_CELLS_PER_POINT = 50, POINTS_OF_FIRST_ROUND = 500;
+
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = Triangulation_vertex_base_with_info_3<Point_index, Kernel>;
   using Cell_base = Triangulation_cell_base_with_info_3<Cell_index, Kernel, Delaunay_triangulation_cell_base_3<Kernel> >;

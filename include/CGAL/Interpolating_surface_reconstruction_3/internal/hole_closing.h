@@ -158,6 +158,7 @@ private:
       const typename Builder::Triangle vertices = m_builder.triangle(t);
       touched.insert(touched.end(), vertices.begin(), vertices.end());
       m_builder.remove(t);
+      m_removed.push_back(vertices);
     }
     return touched;
   }
@@ -193,7 +194,7 @@ private:
   Builder& m_builder;
   std::size_t m_maximum_size;
   Hole_filler<Builder> m_fill;
-  std::vector<typename Builder::Triangle> m_removed; // in widening, in this order
+  std::vector<typename Builder::Triangle> m_removed; // in this order, to be restored
 };
 
 } // namespace internal

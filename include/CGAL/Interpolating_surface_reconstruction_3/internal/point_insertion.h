@@ -46,10 +46,9 @@ public:
         unused.push_back(p);
     std::sort(unused.begin(), unused.end());
     // A point may get a surface to lie on only when its neighbors have been inserted.
-    for (std::size_t before = unused.size() + 1; !unused.empty() && unused.size() != before; ) {
-      before = unused.size();
-      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }), unused.end());
-    }
+    for (std::size_t pass = 0; pass != MAXIMUM_PASSES && !unused.empty(); ++pass)
+      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }),
+                   unused.end());
     return unused.size();
   }
 
@@ -73,12 +72,22 @@ private:
   bool insert(Point_index p)
   {
     for (const Target& target : targets(p)) {
+      if (is_crowded(target.triangle))
+        continue;
       const bool is_inserted = target.edge == 3 ? split_triangle(p, target.triangle)
                                                 : split_edge(p, target) || split_triangle(p, target.triangle);
       if (is_inserted)
         return true;
     }
     return false;
+  }
+
+  // Whether a vertex has so many triangles that the gate, quadratic in them, would be slow.
+  bool is_crowded(const Triangle& t) const
+  {
+    return std::any_of(t.begin(), t.end(), [&](Point_index p) {
+      return m_builder.is_open(p) && m_builder.corners(p).size() > MAXIMUM_DEGREE;
+    });
   }
 
   // Triangles at the nearest points, nearest first.
@@ -169,8 +178,10 @@ private:
     return true;
   }
 
+  static constexpr std::size_t MAXIMUM_PASSES = 4, MAXIMUM_DEGREE = 128;
+
   // A point that the nearest triangles refuse would only be taken by ones that are not near.
-  static constexpr std::size_t MAXIMUM_TARGETS = 48;
+  static constexpr std::size_t MAXIMUM_TARGETS = 16;
 
   // Beyond so many neighbors without a triangle a point has no surface around it.
   static constexpr std::size_t MAXIMUM_NEIGHBORS = 384;
