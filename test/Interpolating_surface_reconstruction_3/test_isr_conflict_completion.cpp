@@ -126,6 +126,13 @@ void test_few_cells()
   ISR_CHECK_EQUAL(Cell_complex(positions_of(line), all_of(line)).size(), 0u);
   ISR_CHECK_EQUAL(Cell_complex(positions_of(line), { 1 }).size(), 0u);
   ISR_CHECK_EQUAL(Cell_complex(positions_of(line), {}).size(), 0u);
+  begin_case("a helix has too many cells");
+  Points helix;
+  for (int i = 0; i != 4000; ++i)
+    helix.emplace_back(std::cos(.01 * i), std::sin(.01 * i), .001 * i);
+  ISR_CHECK_EQUAL(Cell_complex(positions_of(helix), all_of(helix)).size(), 0u);
+  const Points sphere = sphere_random(4000, 1).points;
+  ISR_CHECK(Cell_complex(positions_of(sphere), all_of(sphere)).size() > sphere.size());
   begin_case("one cell");
   const Points four = { Point(5, 5, 5), Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) };
   const Cell_complex one(positions_of(four), { 1, 2, 3, 4 });
