@@ -70,6 +70,16 @@ public:
     }
   }
 
+  // The same for a single point.
+  template <typename Visit>
+  void for_point(Point_index p, std::size_t size, std::size_t maximum_size, Visit visit)
+  {
+    Point_octree_3::Node leaf = m_octree.node(m_octree.leaf_of(p));
+    leaf.begin = p;
+    leaf.end = p + 1;
+    for_each_point(leaf, size, maximum_size, visit);
+  }
+
 private:
   struct Request { Point_index point; std::size_t size; };
 

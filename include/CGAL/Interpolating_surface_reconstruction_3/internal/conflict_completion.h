@@ -40,7 +40,7 @@ class Conflict_completion
 {
 public:
   Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
-    : m_points(points), m_octree(octree), m_builder(builder), m_neighbors(points, octree, maximum_radius)
+    : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
   { }
 
   template <typename Progress, typename OnVerdict>
@@ -122,10 +122,7 @@ private:
   void surroundings(Point_index p, std::vector<Point_index>& result)
   {
     result.assign(1, p);
-    Point_octree_3::Node leaf = m_octree.node(m_octree.leaf_of(p));
-    leaf.begin = p;
-    leaf.end = p + 1;
-    m_neighbors.for_each_point(leaf, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
+    m_neighbors.for_point(p, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
     result.insert(result.end(), m_neighbors.indices().begin(), m_neighbors.indices().end());
     const std::size_t before = result.size();
     add_link(p, result);
@@ -393,7 +390,6 @@ private:
   static constexpr std::size_t NEIGHBORS = 16;
 
   const std::vector<Local_point>& m_points;
-  const Point_octree_3& m_octree;
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
   std::vector<Point_index> m_conflicts;                  // at the beginning, increasing

@@ -33,7 +33,7 @@ class Point_insertion
 {
 public:
   Point_insertion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
-    : m_points(points), m_builder(builder), m_octree(octree), m_neighbors(points, octree, maximum_radius)
+    : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
   { }
 
   // Returns the number of points that could not be inserted. Ends early if cancelled.
@@ -94,10 +94,7 @@ private:
   std::vector<Target> targets(Point_index p)
   {
     std::vector<Target> result;
-    Point_octree_3::Node leaf = m_octree.node(m_octree.leaf_of(p));
-    leaf.begin = p;
-    leaf.end = p + 1;
-    m_neighbors.for_each_point(leaf, OCTREE_LEAF_SIZE, MAXIMUM_NEIGHBORS, [&](Point_index, const Star_neighborhood&) {
+    m_neighbors.for_point(p, OCTREE_LEAF_SIZE, MAXIMUM_NEIGHBORS, [&](Point_index, const Star_neighborhood&) {
       result.clear();
       for (Point_index q : m_neighbors.indices())
         m_builder.for_each_triangle_at(q, [&](Triangle t) {
@@ -188,7 +185,6 @@ private:
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
-  const Point_octree_3& m_octree;
   Nearest_neighbors m_neighbors;
 };
 
