@@ -177,6 +177,10 @@ public:
     m_triangles[t].vertices[0] = NO_POINT;
   }
 
+  // Attaches a triangle again whose removal did not lead anywhere. It is not checked: an agreed triangle
+  // may be one that the gate would refuse, such as one that is folded onto another.
+  void restore(const Triangle& t) { add(t[0], t[1], t[2]); }
+
   // Calls visit(triangle, orientation element) for every triangle of the surface in canonical order;
   // the triangle is oriented like the element.
   template <typename Visit>

@@ -169,7 +169,7 @@ private:
         while (i-- != 0)
           m_builder.remove(m_builder.find_triangle(added[i][0], added[i][1], added[i][2]));
         for (const Triangle& t : removed)
-          m_builder.try_add(t[0], t[1], t[2]);
+          m_builder.restore(t);
         return false;
       }
     return true;

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Whatever the points, every algorithm ends and keeps its guarantees. Arguments: the number of points
+// of an input, and the number of seeds.
+
+#include "isr_test_algorithms.h"
+#include "isr_test_hostile.h"
+
+#include <cstdlib>
+
+using namespace isr_test;
+
+template <typename Algorithm>
+void test_few_points(Algorithm algorithm)
+{
+  const Points corners = { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) };
+  for (std::size_t n = 0; n <= corners.size(); ++n) {
+    begin_case(algorithm.name() + ": " + std::to_string(n) + " points");
+    const Triples triples = checked_triangles(algorithm, Points(corners.begin(), corners.begin() + std::ptrdiff_t(n)));
+    ISR_CHECK(triples.empty() || n >= 3);
+  }
+  begin_case(algorithm.name() + ": few points with rounding");
+  Random random(1);
+  for (std::size_t i = 0; i != 300; ++i) {
+    Points points;
+    for (std::size_t j = random.below(8); j-- != 0; ) {
+      // coordinates from few values, so that many are equal, collinear or coplanar
+      const double x = double(random.below(3)), y = double(random.below(3)), z = double(random.below(2)) * 1e-17;
+      points.emplace_back(x, y, z);
+    }
+    checked_triangles(algorithm, points);
+  }
+}
+
+template <typename Algorithm>
+void test_corpus(Algorithm algorithm, std::size_t n, std::uint64_t seeds)
+{
+  for (const Hostile_generator& generator : hostile_corpus())
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      begin_case(algorithm.name() + ": " + generator.name + ", n = " + std::to_string(n) + ", seed " + std::to_string(seed));
+      checked_triangles(algorithm, generator.generate(n, seed));
+    }
+}
+
+// A flat sheet is one sheet with one boundary, not two that enclose it.
+template <typename Algorithm>
+void test_flat(Algorithm algorithm, const std::string& name, const Points& points)
+{
+  begin_case(algorithm.name() + ": " + name + " is one sheet");
+  const Triples triples = checked_triangles(algorithm, points);
+  ISR_CHECK_EQUAL(validation::used_points(triples).size(), points.size());
+  ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), 1);
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), 1u);
+}
+
+template <typename Algorithm>
+void test_few_dimensions(Algorithm algorithm)
+{
+  for (const auto generate : { hostile::equal, hostile::two_places, hostile::line }) {
+    begin_case(algorithm.name() + ": no surface");
+    ISR_CHECK(checked_triangles(algorithm, generate(200, 1)).empty());
+  }
+  test_flat(algorithm, "a grid", hostile::sheet_grid(400, 1));
+  test_flat(algorithm, "a rotated grid", hostile::sheet_grid_rotated(400, 1));
+  test_flat(algorithm, "a random sheet", hostile::sheet_random(400, 1));
+}
+
+int main(int argc, char** argv)
+{
+  const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 500;
+  const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 2;
+  for_each_algorithm([&](auto algorithm) {
+    test_few_points(algorithm);
+    test_few_dimensions(algorithm);
+    test_corpus(algorithm, n, seeds);
+  });
+  return result();
+}
