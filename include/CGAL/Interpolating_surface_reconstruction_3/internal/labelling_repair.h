@@ -69,6 +69,10 @@ public:
 private:
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
+  // A point has 27 cells in a random sample. One that has far more, such as the tip of a cone over a line
+  // of points, is left as it is: the moves at a point take time quadratic in its cells.
+  static constexpr std::size_t MAXIMUM_CELLS_AT_POINT = 256;
+
   // Cells to change together, and what that brings.
   struct Move
   {
@@ -85,7 +89,7 @@ private:
         if (p != NO_POINT && is_in_scope(p))
           m_points.push_back(p);
     std::sort(m_points.begin(), m_points.end());
-    m_points.erase(std::unique(m_points.begin(), m_points.end()), m_points.end());
+    keep_points_of_few_cells();
     m_begin.assign(m_points.size() + 1, 0);
     m_cell_vertices.resize(m_cells.size());
     for (std::size_t c = 0; c != m_cells.size(); ++c)
@@ -104,6 +108,19 @@ private:
       for (std::size_t v : m_cell_vertices[c])
         if (v != NONE)
           m_around[next[v]++] = static_cast<Cell_index>(c);
+  }
+
+  // `m_points` has every point once for each of its cells, and then once if it stays.
+  void keep_points_of_few_cells()
+  {
+    std::size_t kept = 0;
+    for (std::size_t begin = 0, end = 0; begin != m_points.size(); begin = end) {
+      while (end != m_points.size() && m_points[end] == m_points[begin])
+        ++end;
+      if (end - begin <= MAXIMUM_CELLS_AT_POINT)
+        m_points[kept++] = m_points[begin];
+    }
+    m_points.resize(kept);
   }
 
   // Finds the components of equal labels around vertex v: m_component[k] for the k-th cell around it.
