@@ -257,6 +257,51 @@ void test_random_triangles()
   }
 }
 
+// A fan of n triangles around point 0, attached in random order.
+void test_many_triangles_at_a_vertex()
+{
+  const auto wheel = [](std::size_t n) {
+    Points points(1, Point(0, 0, .1));
+    for (std::size_t i = 0; i != n; ++i)
+      points.push_back(on_circle(2. * PI * double(i) / double(n), 1., 0.));
+    return points;
+  };
+  const auto spoke = [](std::size_t i, std::size_t n) { return Triple{ 0, 1 + i, 1 + (i + 1) % n }; };
+  for (const std::size_t n : { 20u, 33u, 200u }) {
+    begin_case("a fan of " + std::to_string(n) + " triangles");
+    Hand_surface s(wheel(n));
+    std::vector<bool> is_present(n, false);
+    for (std::size_t i : random_order(n, n)) {
+      ISR_CHECK(s.add({ spoke(i, n) }));
+      is_present[i] = true;
+      std::size_t size = 0, end = i;
+      while (size != n && is_present[end]) {
+        end = (end + 1) % n;
+        ++size;
+      }
+      for (std::size_t begin = i; size != n && is_present[(begin + n - 1) % n]; ++size)
+        begin = (begin + n - 1) % n;
+      // from the end of the fan, since the search may go either way from within
+      const Builder::Fan fan = s.builder.fan_from(s.indices[0], s.indices[1 + end]);
+      ISR_CHECK_EQUAL(fan.size, size);
+      const auto fans = std::size_t(std::count_if(is_present.begin(), is_present.end(), [](bool b) { return b; }));
+      ISR_CHECK_EQUAL(s.builder.is_fan_closed(s.indices[0]), fans == n);
+    }
+    ISR_CHECK_EQUAL(s.builder.number_of_boundary_edges(s.indices[0]), 0u);
+    ISR_CHECK(s.add(0, 1, 3) == Triangle_verdict::EDGE_FULL);
+  }
+  begin_case("too many triangles at a vertex");
+  const std::size_t n = 2000;
+  Hand_surface s(wheel(n));
+  std::size_t added = 0;
+  for (std::size_t i = 0; i != n; ++i) {
+    const Triangle_verdict verdict = s.add(0, 1 + i, 1 + (i + 1) % n);
+    ISR_CHECK(verdict == Triangle_verdict::ADDED || (verdict == Triangle_verdict::VERTEX_FULL && i >= 1024));
+    added += verdict == Triangle_verdict::ADDED ? 1u : 0u;
+  }
+  ISR_CHECK_EQUAL(added, 1024u);
+}
+
 std::vector<Boundary_loop> loops_of(const Hand_surface& s)
 {
   std::vector<Boundary_loop> loops = Boundary_loops<Builder>(s.cloud.positions(), s.builder)();
@@ -354,6 +399,7 @@ int main()
   test_folded();
   test_open_and_remove();
   test_random_triangles();
+  test_many_triangles_at_a_vertex();
   test_loops();
   test_loops_across_gaps();
   return result();

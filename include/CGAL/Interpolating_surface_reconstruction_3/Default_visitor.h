@@ -46,7 +46,7 @@ enum class Triangle_verdict
 {
   ADDED,          ///< the triangle is now part of the surface
   EDGE_FULL,      ///< an edge has two triangles already
-  VERTEX_FULL,    ///< a vertex would have a closed fan and other triangles
+  VERTEX_FULL,    ///< a vertex would have a closed fan and other triangles, or more than 1024
   NOT_ORIENTABLE, ///< the surface would become non-orientable
   DUPLICATE,      ///< the triangle is part of the surface already
   DEGENERATE,     ///< the three points are collinear

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -140,6 +141,13 @@ public:
   std::size_t number_of_boundary_edges(Point_index p) const
   {
     std::size_t result = 0;
+    if (corners(p).size() > MAXIMUM_SEARCHED_DEGREE) {
+      const std::vector<Link_end> ends = sorted_link_ends(p);
+      for (std::size_t i = 0; i != ends.size(); ++i)
+        result += (i == 0 || ends[i - 1].first != ends[i].first) && (i + 1 == ends.size() || ends[i + 1].first != ends[i].first)
+                    ? 1u : 0u;
+      return result;
+    }
     for (const Corner& c : corners(p))
       result += (number_of_triangles(p, c.a) == 1 ? 1u : 0u) + (number_of_triangles(p, c.b) == 1 ? 1u : 0u);
     return result;
@@ -205,6 +213,8 @@ public:
     Fan fan{ from, 0 };
     Triangle_index last = NO_TRIANGLE;
     const Corners& list = corners(p);
+    if (list.size() > MAXIMUM_SEARCHED_DEGREE)
+      return fan_among_many(p, from);
     for (std::size_t i = 0; i != list.size(); ) {
       const Corner& c = list[i];
       if (c.triangle != last && (c.a == fan.end || c.b == fan.end)) {
@@ -222,11 +232,55 @@ public:
   }
 
 private:
+  // Up to so many triangles at a vertex, searching them all is faster than sorting them.
+  static constexpr std::size_t MAXIMUM_SEARCHED_DEGREE = 32;
+
+  // A vertex takes no more triangles than these, so that the time for all triangles is linear in their
+  // number. A star has less than a tenth of it.
+  static constexpr std::size_t MAXIMUM_DEGREE = 1024;
+
   struct Stored_triangle
   {
     Triangle vertices;
     Parity_union_find::Element orientation;
   };
+
+  // A neighbor of a point, and the position of one of the corners with it.
+  using Link_end = std::pair<Point_index, std::size_t>;
+
+  std::vector<Link_end> sorted_link_ends(Point_index p) const
+  {
+    std::vector<Link_end> ends;
+    const Corners& list = corners(p);
+    ends.reserve(2 * list.size());
+    for (std::size_t i = 0; i != list.size(); ++i) {
+      ends.emplace_back(list[i].a, i);
+      ends.emplace_back(list[i].b, i);
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
+
+  // fan_from() at a point of many triangles.
+  Fan fan_among_many(Point_index p, Point_index from) const
+  {
+    Fan fan{ from, 0 };
+    const Corners& list = corners(p);
+    const std::vector<Link_end> ends = sorted_link_ends(p);
+    std::size_t last = list.size();
+    while (true) {
+      auto it = std::lower_bound(ends.begin(), ends.end(), Link_end(fan.end, 0));
+      if (it != ends.end() && it->second == last)
+        ++it;
+      if (it == ends.end() || it->first != fan.end)
+        return fan;
+      last = it->second;
+      fan.end = list[last].a == fan.end ? list[last].b : list[last].a;
+      ++fan.size;
+      if (fan.end == from)
+        return fan;
+    }
+  }
 
   // A triangle next to a new one, and whether the new one, as given, is oriented against it.
   struct Adjacent { Triangle_index triangle = NO_TRIANGLE; bool is_flipped = false; };
@@ -241,6 +295,8 @@ private:
       return Triangle_verdict::DEGENERATE;
     if (number_of_triangles(p, q) == 2 || number_of_triangles(q, r) == 2 || number_of_triangles(r, p) == 2)
       return Triangle_verdict::EDGE_FULL;
+    if (corners(p).size() >= MAXIMUM_DEGREE || corners(q).size() >= MAXIMUM_DEGREE || corners(r).size() >= MAXIMUM_DEGREE)
+      return Triangle_verdict::VERTEX_FULL;
     if (is_vertex_full(p, q, r) || is_vertex_full(q, r, p) || is_vertex_full(r, p, q))
       return Triangle_verdict::VERTEX_FULL;
     if (is_folded(p, q, r) || is_folded(q, r, p) || is_folded(r, p, q))

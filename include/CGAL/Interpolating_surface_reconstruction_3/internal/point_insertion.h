@@ -45,10 +45,14 @@ public:
       if (m_builder.corners(p).empty())
         unused.push_back(p);
     std::sort(unused.begin(), unused.end());
-    // A point may get a surface to lie on only when its neighbors have been inserted.
-    for (std::size_t pass = 0; pass != MAXIMUM_PASSES && !unused.empty(); ++pass)
+    // A point may get a surface to lie on only when its neighbors have been inserted. A pass without an
+    // insertion would repeat itself, as would the first one without a surface.
+    std::size_t before = m_builder.number_of_points();
+    for (std::size_t pass = 0; pass != MAXIMUM_PASSES && unused.size() < before && !progress.is_cancelled(); ++pass) {
+      before = unused.size();
       unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }),
                    unused.end());
+    }
     return unused.size();
   }
 
