@@ -65,7 +65,7 @@ struct Default_visitor
   /// called first, with the number of points in the range.
   void on_reconstruction_begin(std::size_t /* number_of_points */) { }
 
-  /// called once after reading: `duplicates` equal an earlier point of the range,
+  /// called once after reading: `duplicates` coincide in double precision with another point that is kept,
   /// `non_finite` have a coordinate that is not a finite number. None of them is used.
   void on_points_set_aside(std::size_t /* duplicates */, std::size_t /* non_finite */) { }
 

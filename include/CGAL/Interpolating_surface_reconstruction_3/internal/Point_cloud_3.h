@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// The points of a reconstruction: finite, distinct and in an order that depends on their positions
+// The points of a reconstruction: finite, distinct in double precision and in an order that depends on their positions
 // only. Every point is kept twice: as the user's `Point_3`, for predicates, and in double
 // coordinates near the origin, for measures. The latter are shifted only where the subtraction is
 // exact, and scaled by a power of two, so that they lose nothing.
@@ -166,12 +166,14 @@ private:
   }
 
   // Equal points have equal keys, so that the sort has made them adjacent, first in the range first.
+  // Points that only their exact coordinates tell apart are merged, too: no star could tell them apart,
+  // and where they are many each would have all others as its nearest neighbors.
   void merge_duplicates()
   {
     const auto equal = m_traits.equal_3_object();
     std::size_t kept = 0;
     for (std::size_t i = 0; i != m_points.size(); ++i) {
-      if (kept != 0 && equal(m_points[kept - 1], m_points[i]))
+      if (kept != 0 && (m_positions[kept - 1] == m_positions[i] || equal(m_points[kept - 1], m_points[i])))
         continue;
       if (kept != i) {
         m_points[kept] = m_points[i];
