@@ -15,12 +15,15 @@ namespace isr {
 inline void check_ply_header(std::istream& in)
 {
   std::map<std::string, std::string> vertex_types;
-  bool in_vertex = false, has_end = false;
+  bool in_vertex = false, has_element = false, has_end = false;
   std::string line;
   while (!has_end && std::getline(in, line)) {
     std::istringstream words(line);
     std::string keyword, first, second;
     words >> keyword >> first >> second;
+    has_element = has_element || keyword == "element";
+    if (keyword == "property" && !has_element)
+      throw Failure(BROKEN_INPUT, "the PLY header has a property before the first element");
     if (keyword == "element")
       in_vertex = first == "vertex" || first == "vertices";
     else if (keyword == "property" && in_vertex && first != "list")

@@ -192,6 +192,9 @@ fails 5 "$work/comment.xyz" mesh.ply
 printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' \
   > none.ply
 fails 5 "$work/none.ply" mesh.ply
+printf 'ply\nformat ascii 1.0\nproperty float x\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' \
+  > no_element.ply
+fails 6 "$work/no_element.ply" mesh.ply
 head -c 5000 colored.ply > truncated_binary.ply
 fails 6 "$work/truncated_binary.ply" mesh.ply
 head -c 5000 "$data"/colored_sphere.ply > truncated_ascii.ply

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -41,6 +42,12 @@ public:
   // `weight(cell, i)` is the weight of facet i of the cell; it is called once a facet.
   template <typename Weight>
   Cell_labelling(const Cell_complex& cells, const Weight& weight)
+    : Cell_labelling(cells, weight, No_cancellation())
+  { }
+
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename Weight, typename Cancellation_point>
+  Cell_labelling(const Cell_complex& cells, const Weight& weight, Cancellation_point&& cancellation_point)
     : m_cells(cells), m_labels(cells.size(), 0), m_weights(cells.size())
   {
     std::vector<Facet> facets;
@@ -49,13 +56,14 @@ public:
         const Cell_index n = cells[c].neighbors[i];
         if (n < c)
           continue;
+        cancellation_point();
         const double w = weight(c, i);
         m_weights[c][i] = w;
         m_weights[n][index_of(n, c, i)] = w;
         facets.push_back(Facet{ std::abs(w), c, n, w > 0. });
       }
-    contract(facets);
-    relax();
+    contract(facets, cancellation_point);
+    relax(cancellation_point);
   }
 
   bool label(Cell_index c) const { return m_labels[c] != 0; }
@@ -73,12 +81,14 @@ public:
   }
 
   // Changes single cells as long as that wins.
-  void relax()
+  template <typename Cancellation_point>
+  void relax(Cancellation_point& cancellation_point)
   {
     std::priority_queue<Entry> queue;
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       push(queue, c);
     while (!queue.empty()) {
+      cancellation_point();
       const Entry entry = queue.top();
       queue.pop();
       if (gain(entry.cell) != entry.gain)
@@ -95,7 +105,6 @@ private:
     double certainty;
     Cell_index first, second;
     bool is_separating;
-    bool operator<(const Facet& other) const { return certainty > other.certainty; }
   };
 
   struct Entry
@@ -132,12 +141,18 @@ private:
 
   // Follows the facets from the most certain one; a facet that contradicts more certain ones is
   // ignored.
-  void contract(std::vector<Facet>& facets)
+  template <typename Cancellation_point>
+  void contract(std::vector<Facet>& facets, Cancellation_point& cancellation_point)
   {
-    std::stable_sort(facets.begin(), facets.end());
+    std::stable_sort(facets.begin(), facets.end(), [&](const Facet& a, const Facet& b) {
+      cancellation_point();
+      return a.certainty > b.certainty;
+    });
     Parity_union_find sides(m_cells.size());
-    for (const Facet& f : facets)
+    for (const Facet& f : facets) {
+      cancellation_point();
       sides.unite(f.first, f.second, f.is_separating);
+    }
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       m_labels[c] = sides.find(c).is_flipped ? 1 : 0;
   }

@@ -109,6 +109,38 @@ private:
   double m_stage_begin = 0., m_stage_end = 0., m_reported = 0.;
 };
 
+// Thrown out of a long computation when the run is cancelled; the stage that called catches it.
+struct Cancelled { };
+
+// Called in the inner loops of a long computation, it polls now and then.
+template <typename Progress>
+class Cancellation_point
+{
+public:
+  explicit Cancellation_point(Progress& progress)
+    : m_progress(&progress)
+  { }
+
+  void operator()()
+  {
+    if (++m_calls % CALLS_PER_POLL == 0 && !m_progress->advance(0.))
+      throw Cancelled();
+  }
+
+private:
+  // Between two polls are some milliseconds, as a call stands for at most a microsecond of work or so.
+  static constexpr std::size_t CALLS_PER_POLL = 4096;
+
+  Progress* m_progress;
+  std::size_t m_calls = 0;
+};
+
+// Never cancels.
+struct No_cancellation
+{
+  void operator()() const { }
+};
+
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3
 } // namespace CGAL

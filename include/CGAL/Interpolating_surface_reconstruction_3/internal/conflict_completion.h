@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -43,14 +44,21 @@ public:
     : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
   { }
 
+  // Ends early if cancelled.
   template <typename Progress, typename OnVerdict>
   void operator()(Progress& progress, OnVerdict on_verdict)
   {
     find_conflicts();
     const std::vector<std::vector<std::size_t> > clusters = find_clusters(progress);
     std::size_t done = 0;
+    // A single cluster may hold all points.
+    Cancellation_point<Progress> cancellation_point(progress);
     for (const std::vector<std::size_t>& cluster : clusters) {
-      complete(cluster, on_verdict);
+      try {
+        complete(cluster, cancellation_point, on_verdict);
+      } catch (const Cancelled&) {
+        return;
+      }
       done += cluster.size();
       if (!progress.advance(double(done) / double(m_conflicts.size())))
         return;
@@ -173,25 +181,25 @@ private:
     return clusters;
   }
 
-  template <typename OnVerdict>
-  void complete(const std::vector<std::size_t>& cluster, OnVerdict on_verdict)
+  template <typename CancellationPoint, typename OnVerdict>
+  void complete(const std::vector<std::size_t>& cluster, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     m_cluster.clear();
     m_sites.clear();
     for (std::size_t i : cluster)
       add_to_cluster(m_conflicts[i], m_surroundings[i]);
-    Cell_complex cells(m_points, sorted_sites());
+    Cell_complex cells(m_points, sorted_sites(), cancellation_point);
     // Once: the few triangles around the points that join then hardly matter.
-    if (cells.size() != 0 && withdraw_triangles_without_facet(cells))
-      cells = Cell_complex(m_points, sorted_sites());
+    if (cells.size() != 0 && withdraw_triangles_without_facet(cells, cancellation_point))
+      cells = Cell_complex(m_points, sorted_sites(), cancellation_point);
     if (cells.size() == 0)
       return;
-    find_certain_sites(cells);
-    compute_spheres(cells);
-    Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); });
+    find_certain_sites(cells, cancellation_point);
+    compute_spheres(cells, cancellation_point);
+    Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); }, cancellation_point);
     Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2);
-    repair();
-    attach(cells, labelling, on_verdict);
+    repair(cancellation_point);
+    attach(cells, labelling, cancellation_point, on_verdict);
     for (Point_index p : m_cluster)
       m_is_conflict[p] = is_complete(p) ? 0 : 1;
   }
@@ -214,11 +222,13 @@ private:
   // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
   // facet would cross it; it is withdrawn and its points join the conflict. Returns whether there
   // was one.
-  bool withdraw_triangles_without_facet(const Cell_complex& cells)
+  template <typename CancellationPoint>
+  bool withdraw_triangles_without_facet(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
     std::vector<Facet> facets;
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] < c || is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
             !has_triangle(f))
@@ -264,11 +274,13 @@ private:
   }
 
   // A site is certain if its fan is closed and made of facets of the cells.
-  void find_certain_sites(const Cell_complex& cells)
+  template <typename CancellationPoint>
+  void find_certain_sites(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
     std::vector<std::size_t> facets_at(m_sites.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] < c || is_infinite(f) || !has_triangle(f))
           continue;
@@ -292,12 +304,15 @@ private:
 
   struct Sphere { Local_point center; double radius; };
 
-  void compute_spheres(const Cell_complex& cells)
+  template <typename CancellationPoint>
+  void compute_spheres(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
     m_spheres.resize(cells.size());
-    for (Cell_index c = 0; c != cells.size(); ++c)
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
       if (!Cell_complex::is_infinite(cells[c]))
         m_spheres[c] = circumsphere(cells[c].vertices);
+    }
   }
 
   Sphere circumsphere(const std::array<Point_index, 4>& v) const
@@ -363,12 +378,13 @@ private:
     return value >= -1. && value <= 1. ? value : value > 1. ? 1. : -1.;
   }
 
-  template <typename OnVerdict>
-  void attach(const Cell_complex& cells, const Cell_labelling& labelling, OnVerdict on_verdict)
+  template <typename CancellationPoint, typename OnVerdict>
+  void attach(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     std::vector<Triangle> surface;
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] < c || is_infinite(f) || !labelling.is_surface(c, i) || has_triangle(f) ||
             !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
@@ -377,8 +393,10 @@ private:
         surface.push_back(f);
       }
     std::sort(surface.begin(), surface.end());
-    for (const Triangle& t : surface)
+    for (const Triangle& t : surface) {
+      cancellation_point();
       on_verdict(t, m_builder.try_add(t[0], t[1], t[2]));
+    }
   }
 
   // Open stars that must follow one another in both directions to make a boundary.

@@ -47,9 +47,17 @@ public:
   // Returns the number of points at which the surface is no manifold in the end.
   std::size_t operator()()
   {
+    return (*this)(No_cancellation());
+  }
+
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  std::size_t operator()(Cancellation_point&& cancellation_point)
+  {
     m_defects.resize(m_points.size());
     std::vector<std::size_t> todo;
     for (std::size_t v = m_points.size(); v-- != 0; ) {
+      cancellation_point();
       m_defects[v] = count_defects(v);
       if (m_defects[v] != 0)
         todo.push_back(v);
@@ -57,6 +65,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
+      cancellation_point();
       if (m_defects[v] == 0 || !improve(v))
         continue;
       for (std::size_t w : m_touched)
