@@ -299,6 +299,16 @@ inline Points helix(std::size_t n, std::uint64_t)
   return points;
 }
 
+// Three rows of points along a helix: nearly all of them are on the boundary.
+inline Points ribbon(std::size_t n, std::uint64_t)
+{
+  Points points;
+  for (std::size_t i = 0; i != n / 3; ++i)
+    for (int row = 0; row != 3; ++row)
+      points.push_back(on_circle(.01 * double(i), 1., .01 * double(row) + .001 * double(i)));
+  return points;
+}
+
 inline Points helices(std::size_t n, std::uint64_t seed)
 {
   const Points one = helix(n / 2, seed);
@@ -458,7 +468,7 @@ inline std::vector<Hostile_generator> hostile_corpus()
     { "Menger sponge", hostile::menger }, { "planes crossing", hostile::planes_crossing },
     { "Moebius strip", hostile::moebius }, { "Klein bottle", hostile::klein }, { "random cube", hostile::cube_random },
     { "outliers", hostile::sphere_outliers }, { "noise", hostile::sphere_noise }, { "helix", hostile::helix },
-    { "helices", hostile::helices }, { "skew lines", hostile::lines_skew }, { "moment curve", hostile::moment_curve },
+    { "helices", hostile::helices }, { "ribbon", hostile::ribbon }, { "skew lines", hostile::lines_skew }, { "moment curve", hostile::moment_curve },
     { "random walk", hostile::random_walk }, { "bicone", hostile::bicone },
     { "crowded poles", hostile::poles_crowded }, { "varying spacing", hostile::spacing_varying },
     { "all scales", hostile::scales_all }, { "clusters", hostile::clusters }, { "spheres far", hostile::spheres_far },

@@ -116,8 +116,9 @@ private:
   {
     m_progress.begin_stage(Stage::COMPATIBILITY, COMPATIBILITY_SHARE);
     Star_compatibility compatibility(stars);
-    compatibility.template count_votes<ConcurrencyTag>(m_predicates);
-    compatibility.orient();
+    const auto go_further = [&] { return m_progress.advance(0.); };
+    compatibility.template count_votes<ConcurrencyTag>(m_predicates, go_further);
+    compatibility.orient(go_further);
     m_progress.end_stage(compatibility.number_of_agreed_points());
     return compatibility;
   }
@@ -172,7 +173,7 @@ private:
     m_progress.begin_stage(Stage::ORIENTATION, ORIENTATION_SHARE);
     Surface_orientation<Builder> orientation(m_cloud.positions(), builder);
     if (m_normals.empty())
-      orientation.face_outward();
+      orientation.face_outward([&] { return m_progress.advance(0.); });
     else
       orientation.align_with_normals([&](Point_index p) { return m_normals[p]; });
     m_progress.end_stage(orientation.number_of_triangles());

@@ -45,10 +45,13 @@ public:
   // Whether the triangles (p, q, r) and (q, p, s) lie in one plane, on the same side of their edge.
   bool is_folded(Point_index p, Point_index q, Point_index r, Point_index s) const
   {
-    const Local_vector e = m_cloud.position(q) - m_cloud.position(p);
-    const Local_vector m = cross_product(e, m_cloud.position(r) - m_cloud.position(p)),
-                       n = cross_product(e, m_cloud.position(s) - m_cloud.position(p));
-    if (m * n < 0. || cross_product(m, n).squared_length() > SQUARED_ERROR * m.squared_length() * n.squared_length())
+    const Local_vector e = m_cloud.position(q) - m_cloud.position(p), a = m_cloud.position(r) - m_cloud.position(p),
+                       b = m_cloud.position(s) - m_cloud.position(p);
+    const Local_vector m = cross_product(e, a), n = cross_product(e, b);
+    // The errors are relative to the factors: a triangle that is nearly degenerate has no certain normal.
+    const double error = SQUARED_ERROR * e.squared_length() * e.squared_length() * a.squared_length() * b.squared_length();
+    const double cosine = m * n;
+    if ((cosine < 0. && cosine * cosine > error) || cross_product(m, n).squared_length() > error)
       return false;
     const Traits& traits = m_cloud.traits();
     return traits.orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) == COPLANAR &&

@@ -82,6 +82,7 @@ private:
   void find_conflicts()
   {
     m_is_conflict.assign(m_points.size(), 0);
+    m_is_site.assign(m_points.size(), 0);
     for (Point_index p : m_builder.open_points())
       if (!is_on_boundary(p) && !is_complete(p))
         m_conflicts.push_back(p);
@@ -185,6 +186,8 @@ private:
   void complete(const std::vector<std::size_t>& cluster, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     m_cluster.clear();
+    for (Point_index p : m_sites)
+      m_is_site[p] = 0;
     m_sites.clear();
     for (std::size_t i : cluster)
       add_to_cluster(m_conflicts[i], m_surroundings[i]);
@@ -208,14 +211,18 @@ private:
   void add_to_cluster(Point_index p, std::vector<Point_index>& surroundings)
   {
     m_cluster.push_back(p);
-    m_sites.insert(m_sites.end(), surroundings.begin(), surroundings.end());
+    // Marked: surroundings overlap so much that all of them take far more memory than the sites.
+    for (Point_index q : surroundings)
+      if (!m_is_site[q]) {
+        m_is_site[q] = 1;
+        m_sites.push_back(q);
+      }
     std::vector<Point_index>().swap(surroundings);
   }
 
   const std::vector<Point_index>& sorted_sites()
   {
     std::sort(m_sites.begin(), m_sites.end());
-    m_sites.erase(std::unique(m_sites.begin(), m_sites.end()), m_sites.end());
     return m_sites;
   }
 
@@ -411,7 +418,7 @@ private:
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
   std::vector<Point_index> m_conflicts;                  // at the beginning, increasing
-  std::vector<unsigned char> m_is_conflict;              // of each point, now
+  std::vector<unsigned char> m_is_conflict, m_is_site;              // of each point, now
   std::vector<std::vector<Point_index> > m_surroundings; // of each conflict
   std::vector<Point_index> m_cluster;                    // conflicts of the current cluster
   std::vector<Point_index> m_sites;                      // of the current cluster, increasing

@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -98,10 +99,12 @@ private:
   std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
   {
     std::vector<Boundary_loop> failed;
+    Flat_sheet<Builder> flat_sheet(m_points, m_builder);
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
       if (!progress.advance(0.))
         break;
-      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !m_fill(loop, on_verdict) && !is_agreed_boundary(loop))
+      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !flat_sheet.is_outline(loop) && !m_fill(loop, on_verdict) &&
+          !is_agreed_boundary(loop))
         failed.push_back(loop);
     }
     return failed;

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <queue>
 #include <vector>
 
 namespace CGAL {
@@ -178,34 +179,64 @@ private:
     }
   }
 
+  // A point of the loop between its neighbors, as positions in the loop; it may be cut off if it is an ear.
+  struct Ear
+  {
+    double squared_chord;
+    std::size_t at, before, after;
+    // the ear with the shortest chord comes first
+    bool operator<(const Ear& other) const
+    {
+      return squared_chord > other.squared_chord || (squared_chord == other.squared_chord && at > other.at);
+    }
+  };
+
   void cut_short_ears()
   {
-    while (m_loop.size() > MAXIMUM_OPTIMAL_SIZE) {
-      const std::size_t n = m_loop.size();
-      std::size_t best = n;
-      double shortest = (std::numeric_limits<double>::max)();
-      for (std::size_t i = 0; i != n; ++i) {
-        const double squared = (m_points[m_loop[(i + n - 1) % n]] - m_points[m_loop[(i + 1) % n]]).squared_length();
-        if (squared < shortest && is_ear(i)) {
-          shortest = squared;
-          best = i;
-        }
-      }
-      if (best == n)
-        return;
-      m_fill.push_back(Triangle{ { m_loop[(best + n - 1) % n], m_loop[best], m_loop[(best + 1) % n] } });
-      m_outer[(best + n - 1) % n] = m_loop[best];
-      m_loop.erase(m_loop.begin() + std::ptrdiff_t(best));
-      m_outer.erase(m_outer.begin() + std::ptrdiff_t(best));
+    const std::size_t n = m_loop.size();
+    if (n <= MAXIMUM_OPTIMAL_SIZE)
+      return;
+    std::vector<std::size_t> before(n), after(n); // `after` of a point that has been cut off is n
+    for (std::size_t i = 0; i != n; ++i) {
+      before[i] = i == 0 ? n - 1 : i - 1;
+      after[i] = i + 1 == n ? 0 : i + 1;
     }
+    std::priority_queue<Ear> queue;
+    const auto push = [&](std::size_t i) {
+      const double squared = (m_points[m_loop[before[i]]] - m_points[m_loop[after[i]]]).squared_length();
+      queue.push(Ear{ squared, i, before[i], after[i] });
+    };
+    for (std::size_t i = 0; i != n; ++i)
+      push(i);
+    for (std::size_t size = n; size > MAXIMUM_OPTIMAL_SIZE && !queue.empty(); ) {
+      const Ear ear = queue.top();
+      queue.pop();
+      if (after[ear.at] != ear.after || before[ear.at] != ear.before || !is_ear(ear))
+        continue;
+      m_fill.push_back(Triangle{ { m_loop[ear.before], m_loop[ear.at], m_loop[ear.after] } });
+      m_outer[ear.before] = m_loop[ear.at];
+      after[ear.before] = ear.after;
+      before[ear.after] = ear.before;
+      after[ear.at] = n;
+      --size;
+      push(ear.before);
+      push(ear.after);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i != n; ++i)
+      if (after[i] != n) {
+        m_loop[kept] = m_loop[i];
+        m_outer[kept++] = m_outer[i];
+      }
+    m_loop.resize(kept);
+    m_outer.resize(kept);
   }
 
-  bool is_ear(std::size_t i) const
+  bool is_ear(const Ear& ear) const
   {
-    const std::size_t n = m_loop.size();
-    const Point_index p = m_loop[(i + n - 1) % n], q = m_loop[i], r = m_loop[(i + 1) % n];
+    const Point_index p = m_loop[ear.before], q = m_loop[ear.at], r = m_loop[ear.after];
     return is_free_chord(p, r) && !m_builder.predicates().is_degenerate(p, q, r) &&
-           bending(p, q, r, m_outer[(i + n - 1) % n]) != IMPOSSIBLE && bending(q, r, p, m_outer[i]) != IMPOSSIBLE;
+           bending(p, q, r, m_outer[ear.before]) != IMPOSSIBLE && bending(q, r, p, m_outer[ear.at]) != IMPOSSIBLE;
   }
 
   // All triangles or none; growing from the surface, so that the gate sees the orientation.

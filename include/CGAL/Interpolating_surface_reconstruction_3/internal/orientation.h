@@ -55,7 +55,10 @@ public:
     });
   }
 
-  void face_outward()
+  // A component with a boundary has no outside: it faces away from the side to which it is bent, or
+  // either way if it is flat. Ends early if go_further() is false.
+  template <typename GoFurther>
+  void face_outward(const GoFurther& go_further)
   {
     for_each_triangle([&](const Triangle& t, Facing& facing) {
       if (facing.reference == NO_POINT)
@@ -66,7 +69,12 @@ public:
       facing.sum += volume;
       facing.error += ROUNDING * std::sqrt(u.squared_length() * v.squared_length() * w.squared_length());
     });
-    decide_exactly();
+    decide_exactly(go_further);
+  }
+
+  void face_outward()
+  {
+    face_outward([] { return true; });
   }
 
   // Calls visit(triangle) for every triangle, oriented.
@@ -85,12 +93,15 @@ private:
   {
     double sum = 0., error = 0.;
     Point_index reference = NO_POINT;
+    bool has_boundary = false;
     std::size_t exact = 0; // position among the exact volumes, counted from 1
   };
 
   // Rounding error of a 3 x 3 determinant relative to the lengths of its rows, with a margin that
   // covers the accumulation over as many triangles as there are.
   static constexpr double ROUNDING = 1e-14;
+
+  static constexpr std::size_t TRIANGLES_PER_POLL = 4096;
 
   void find_components()
   {
@@ -111,23 +122,34 @@ private:
     });
   }
 
-  void decide_exactly()
+  template <typename GoFurther>
+  void decide_exactly(const GoFurther& go_further)
   {
+    mark_boundaries();
     std::vector<Exact_rational> volumes;
     for (Facing& facing : m_facing)
-      if (facing.reference != NO_POINT && std::abs(facing.sum) <= facing.error) {
+      if (facing.reference != NO_POINT && !facing.has_boundary && std::abs(facing.sum) <= facing.error) {
         volumes.emplace_back(0);
         facing.exact = volumes.size();
       }
     if (volumes.empty())
       return;
+    std::size_t triangles = 0;
     for_each_triangle([&](const Triangle& t, const Facing& facing) {
-      if (facing.exact != 0)
+      if (facing.exact != 0 && (triangles++ % TRIANGLES_PER_POLL != 0 || go_further()))
         volumes[facing.exact - 1] += exact_volume(t, facing.reference);
     });
     for (Facing& facing : m_facing)
       if (facing.exact != 0)
         facing.sum = CGAL::sign(volumes[facing.exact - 1]) == NEGATIVE ? -1. : 1.;
+  }
+
+  // Points on a boundary are open.
+  void mark_boundaries()
+  {
+    for (Point_index p : m_builder.open_points())
+      if (!m_builder.corners(p).empty() && m_builder.number_of_boundary_edges(p) != 0)
+        m_facing[m_components.find(p).root].has_boundary = true;
   }
 
   Exact_rational exact_volume(const Triangle& t, Point_index reference) const

@@ -41,26 +41,33 @@ public:
     : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_agreement(stars.size(), Agreement::NONE), m_orientations(stars.size())
   { }
 
-  // A triangle that is degenerate gets no vote.
-  template <typename ConcurrencyTag, typename Predicates>
-  void count_votes(const Predicates& predicates)
+  // A triangle that is degenerate gets no vote. Ends early, with votes missing, if go_further() is false;
+  // it is called concurrently.
+  template <typename ConcurrencyTag, typename Predicates, typename GoFurther>
+  void count_votes(const Predicates& predicates, const GoFurther& go_further)
   {
-    constexpr std::size_t POINTS_PER_BLOCK = 4096;
     for_each_block<ConcurrencyTag>(m_stars.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p != end; ++p)
+      for (std::size_t p = begin; p != end && (p != begin || go_further()); ++p)
         count_votes_at(static_cast<Point_index>(p), predicates);
     });
     for_each_block<ConcurrencyTag>(m_stars.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p != end; ++p)
+      for (std::size_t p = begin; p != end && (p != begin || go_further()); ++p)
         find_agreed_triangles_at(static_cast<Point_index>(p));
     });
   }
 
-  // Ties the stars together triangle by triangle; a triangle that would make the surface
-  // non-orientable loses its agreement.
-  void orient()
+  template <typename ConcurrencyTag, typename Predicates>
+  void count_votes(const Predicates& predicates)
   {
-    for (Point_index p = 0; p != m_stars.size(); ++p)
+    count_votes<ConcurrencyTag>(predicates, [] { return true; });
+  }
+
+  // Ties the stars together triangle by triangle; a triangle that would make the surface
+  // non-orientable loses its agreement. Ends early if go_further() is false.
+  template <typename GoFurther>
+  void orient(const GoFurther& go_further)
+  {
+    for (Point_index p = 0; p != m_stars.size() && (p % POINTS_PER_BLOCK != 0 || go_further()); ++p)
       for_each_agreed_triangle(p, [&](Slot s, Point_index, Point_index a, Point_index b) {
         if (p > a || p > b)
           return;
@@ -71,6 +78,11 @@ public:
           revoke(b, p, a);
         }
       });
+  }
+
+  void orient()
+  {
+    orient([] { return true; });
   }
 
   const Star_table& stars() const { return m_stars; }
@@ -109,6 +121,8 @@ public:
 
 private:
   enum class Agreement : unsigned char { NONE, WITH_GAP, CLOSED };
+
+  static constexpr std::size_t POINTS_PER_BLOCK = 4096;
 
   static constexpr std::uint8_t VOTES = 3, FIRST_IS_FLIPPED = 4, SECOND_IS_FLIPPED = 8, AGREED = 16;
 
