@@ -8,10 +8,14 @@ build=$root/build-tests
 
 "$root"/examples/Interpolating_surface_reconstruction_3/install_packages.sh \
   g++ make cmake ccache libcgal-dev libeigen3-dev libtbb-dev libboost-program-options-dev \
-  libbenchmark-dev
+  libbenchmark-dev clang libclang-rt-dev
 
 # The tests are small: compiling takes most of the time, and half as long as with -O3.
 cmake -S "$root" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
   -D CGAL_ISR_WARNINGS_AS_ERRORS=ON "$@"
 cmake --build "$build" --parallel "$(nproc)"
 ctest --test-dir "$build" --verbose --parallel "$(nproc)" < /dev/null
+
+# Coverage-guided, with the address and undefined behavior sanitizers and all assertions.
+fuzzing_seconds=60
+"$root"/test/Interpolating_surface_reconstruction_3/fuzz/run_fuzzers.sh "$build/fuzz" "$fuzzing_seconds"

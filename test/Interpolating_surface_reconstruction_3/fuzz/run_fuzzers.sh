@@ -20,11 +20,16 @@ if command -v ccache > /dev/null; then
   compile=(ccache clang++)
 fi
 
-for target in "${targets[@]}"; do
+build_target() {
   "${compile[@]}" -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all \
     -D_GLIBCXX_ASSERTIONS -DCGAL_EIGEN3_ENABLED -I "$here/../../../include" -isystem /usr/include/eigen3 \
-    -c "$here/isr_fuzz_$target.cpp" -o "$build/isr_fuzz_$target.o"
-  clang++ -fsanitize=fuzzer,address,undefined "$build/isr_fuzz_$target.o" -o "$build/isr_fuzz_$target" -lgmp -lmpfr
+    -c "$here/isr_fuzz_$1.cpp" -o "$build/isr_fuzz_$1.o"
+  clang++ -fsanitize=fuzzer,address,undefined "$build/isr_fuzz_$1.o" -o "$build/isr_fuzz_$1" -lgmp -lmpfr
+}
+
+for target in "${targets[@]}"; do
+  echo "fuzz target $target"
+  build_target "$target"
 done
 
 for target in "${targets[@]}"; do
