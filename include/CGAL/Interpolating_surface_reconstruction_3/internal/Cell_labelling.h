@@ -81,6 +81,12 @@ public:
   }
 
   // Changes single cells as long as that wins.
+  void relax()
+  {
+    No_cancellation cancellation_point;
+    relax(cancellation_point);
+  }
+
   template <typename Cancellation_point>
   void relax(Cancellation_point& cancellation_point)
   {
