@@ -1,0 +1,224 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_GROWTH_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_GROWTH_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Growing_front.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/front_candidates.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/front_gaps.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Grows the surface from the most planar star (thesis 3.3): the triangle that is attached next is, of the
+// candidates of all edges of the front, the one that is the most coplanar with the surface beside it.
+// There is no bound on the angle. When the front has no candidate left, the growth begins again at the
+// most planar star that it has not reached.
+//
+// The triangles on which the stars agree are part of the surface from the beginning, as far as the gate
+// of `Builder` is concerned: a triangle on which they do not agree is attached only if it leaves room for
+// those. Edges that have no such candidate stay on the front.
+template <typename Builder>
+class Surface_growth
+{
+public:
+  using Triangle = typename Builder::Triangle;
+
+  Surface_growth(const std::vector<Local_point>& points, Builder& builder)
+    : m_points(points), m_builder(builder), m_front(builder.number_of_points()), m_find_candidate(points, builder, m_front),
+      m_choose_gap(points, m_front)
+  { }
+
+  // Calls on_verdict(triangle, verdict) for the triangles in the order in which they are attached, or
+  // refused. Ends early if cancelled. Returns the number of attached triangles.
+  template <typename Progress, typename OnVerdict>
+  std::size_t operator()(Progress& progress, OnVerdict on_verdict)
+  {
+    for (const Seed& seed : find_seeds())
+      if (!m_front.is_reached(seed.center)) {
+        begin_star(seed.center, on_verdict);
+        if (!grow(progress, on_verdict))
+          break;
+      }
+    return m_attached;
+  }
+
+  const Growing_front& front() const { return m_front; }
+
+private:
+  using Edge_index = Growing_front::Edge_index;
+
+  // A star on which its neighbors agree, where the growth may begin; a closed one if possible.
+  struct Seed
+  {
+    bool is_closed;
+    double planarity;
+    Point_index center;
+
+    bool operator<(const Seed& other) const
+    {
+      if (is_closed != other.is_closed)
+        return is_closed;
+      return planarity != other.planarity ? planarity > other.planarity : center < other.center;
+    }
+  };
+
+  // The candidate of an edge in the queue. Ties are broken by the vertices.
+  struct Entry
+  {
+    double coplanarity;
+    std::array<Point_index, 3> vertices; // the ends of the edge, the smaller one first, and the apex
+    Edge_index edge;
+    bool is_agreed;
+
+    bool operator<(const Entry& other) const
+    {
+      return coplanarity != other.coplanarity ? coplanarity < other.coplanarity : vertices > other.vertices;
+    }
+  };
+
+  std::vector<Seed> find_seeds() const
+  {
+    std::vector<Seed> seeds;
+    const Star_compatibility& compatibility = m_builder.compatibility();
+    std::vector<std::uint32_t> link;
+    for (Point_index p = 0; p != m_builder.number_of_points(); ++p) {
+      if (!compatibility.is_point_agreed(p))
+        continue;
+      const Star_table& stars = compatibility.stars();
+      link.clear();
+      for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+        link.push_back(stars.neighbor(s));
+      seeds.push_back(Seed{ !compatibility.is_point_on_boundary(p),
+                            planarity_degree(m_points[p], link, [&](std::uint32_t q) { return m_points[q]; }), p });
+    }
+    std::sort(seeds.begin(), seeds.end());
+    return seeds;
+  }
+
+  // The star of the seed (3.3.1): its first triangle, and the others one after the other around it.
+  template <typename OnVerdict>
+  void begin_star(Point_index p, OnVerdict on_verdict)
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    const Star_table::Slot size = stars.end(p) - stars.begin(p);
+    Star_table::Slot first = stars.begin(p);
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+      if (stars.neighbor(s) == NO_POINT)
+        first = stars.next(p, s);
+    bool is_first = true;
+    for (Star_table::Slot i = 0, s = first; i != size; ++i, s = stars.next(p, s)) {
+      if (!stars.has_triangle(p, s))
+        continue;
+      const Triangle t{ { p, stars.neighbor(s), stars.neighbor(stars.next(p, s)) } };
+      if (is_first)
+        m_front.begin(t, m_choose_gap);
+      else
+        m_front.attach(m_front.find(p, t[1]), t[2], m_choose_gap);
+      is_first = false;
+      finish_triangle(t, on_verdict);
+    }
+  }
+
+  // Returns false if cancelled.
+  template <typename Progress, typename OnVerdict>
+  bool grow(Progress& progress, OnVerdict on_verdict)
+  {
+    while (!m_queue.empty()) {
+      if (++m_steps % STEPS_PER_POLL == 0 && !progress.advance((std::min)(1., double(m_attached) / (2. * double(m_points.size())))))
+        return false;
+      std::pop_heap(m_queue.begin(), m_queue.end());
+      const Entry entry = m_queue.back();
+      m_queue.pop_back();
+      if (is_current(entry))
+        attach(entry, on_verdict);
+    }
+    return true;
+  }
+
+  bool is_current(const Entry& entry) const
+  {
+    return m_front.is_edge(entry.edge) && m_apex[entry.edge] == entry.vertices[2] && sorted_ends(entry.edge) == std::make_pair(entry.vertices[0], entry.vertices[1]);
+  }
+
+  std::pair<Point_index, Point_index> sorted_ends(Edge_index e) const
+  {
+    const auto& ends = m_front.edge(e).ends;
+    return std::minmax(ends[0], ends[1]);
+  }
+
+  template <typename OnVerdict>
+  void attach(const Entry& entry, OnVerdict on_verdict)
+  {
+    const Triangle& t = entry.vertices;
+    const Triangle_verdict verdict = entry.is_agreed ? Triangle_verdict::ADDED : m_builder.try_add(t[0], t[1], t[2]);
+    if (verdict != Triangle_verdict::ADDED) {
+      // The edge waits until the front around it changes.
+      m_apex[entry.edge] = NO_POINT;
+      on_verdict(t, verdict);
+      return;
+    }
+    m_front.attach(entry.edge, t[2], m_choose_gap);
+    finish_triangle(t, on_verdict);
+  }
+
+  template <typename OnVerdict>
+  void finish_triangle(const Triangle& t, OnVerdict on_verdict)
+  {
+    ++m_attached;
+    on_verdict(t, Triangle_verdict::ADDED);
+    m_apex.resize(m_front.edge_bound(), NO_POINT);
+    for (Edge_index e : m_front.changed_edges())
+      enqueue(e);
+  }
+
+  void enqueue(Edge_index e)
+  {
+    const Front_candidate candidate = m_find_candidate(e);
+    m_apex[e] = candidate.apex;
+    if (candidate.apex == NO_POINT)
+      return;
+    const auto ends = sorted_ends(e);
+    m_queue.push_back(Entry{ candidate.coplanarity, { { ends.first, ends.second, candidate.apex } }, e, candidate.is_agreed });
+    std::push_heap(m_queue.begin(), m_queue.end());
+  }
+
+  static constexpr std::size_t STEPS_PER_POLL = 1024;
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  Growing_front m_front;
+  const Front_candidates<Builder> m_find_candidate;
+  const Front_gaps m_choose_gap;
+  std::vector<Entry> m_queue;      // a heap
+  std::vector<Point_index> m_apex; // the candidate of each edge
+  std::size_t m_attached = 0, m_steps = 0;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_GROWTH_H
