@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
+#include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
@@ -84,37 +84,18 @@ private:
     return NO_POINT;
   }
 
-  // The third vertex that is chosen where the stars do not agree.
+  // The third vertex that is chosen where the stars do not agree. It counts if the majority of the
+  // stars of the triangle have it; to fill the gap between adjacent edges, one of them is enough.
   Point_index disputed_apex(Edge_index e) const
   {
-    static const int V = getenv("PCR_V") ? atoi(getenv("PCR_V")) : 2;
-    static const int W = getenv("PCR_W") ? atoi(getenv("PCR_W")) : 4;
-    static const double CW = getenv("PCR_CW") ? atof(getenv("PCR_CW")) : 0;
-    static const double CV = getenv("PCR_CV") ? atof(getenv("PCR_CV")) : -1;
-    if (V > 3) return NO_POINT;
-    const Growing_front::Edge& edge = m_front.edge(e);
-    const Point_index a = edge.ends[0], b = edge.ends[1];
     Apices apices = star_apices(e);
-    Point_index r = NO_POINT;
-    if (!apices.empty()) {
-      r = chosen(a, b, apices);
-      if (votes(a, b, r) < V || cosine_of_supplementary_angle(m_points[a], m_points[b], m_points[r], m_points[edge.opposite]) < CV)
-        r = NO_POINT;
-      return r;
-    }
-    apices = ear_apices(e);
-    if (apices.empty()) return NO_POINT;
-    r = chosen(a, b, apices);
-    if (votes(a, b, r) < W || cosine_of_supplementary_angle(m_points[a], m_points[b], m_points[r], m_points[edge.opposite]) < CW)
-      r = NO_POINT;
-    return r;
-  }
-
-  int votes(Point_index a, Point_index b, Point_index c) const
-  {
-    const Star_table& stars = m_compatibility.stars();
-    return (stars.view(a, b, c) != Star_table::View::ABSENT) + (stars.view(b, c, a) != Star_table::View::ABSENT) +
-           (stars.view(c, a, b) != Star_table::View::ABSENT);
+    const std::size_t needed = apices.empty() ? 1 : 2;
+    if (apices.empty())
+      apices = ear_apices(e);
+    if (apices.empty())
+      return NO_POINT;
+    const Point_index a = m_front.edge(e).ends[0], b = m_front.edge(e).ends[1], apex = chosen(a, b, apices);
+    return m_compatibility.stars().votes(a, b, apex) >= needed ? apex : NO_POINT;
   }
 
   // The points in the subspace beyond the edge that the stars of A and B connect to the edge.
@@ -181,10 +162,9 @@ private:
     if (apices.size() == 1)
       return apices[0];
     const Point_index nearer = apices[0], farther = apices[1];
-    const bool is_nearer_inside = is_in_prism(a, b, farther, nearer), is_farther_inside = is_in_prism(a, b, nearer, farther);
-    if (is_nearer_inside)
+    if (is_in_prism(a, b, farther, nearer))
       return nearer;
-    if (is_farther_inside)
+    if (is_in_prism(a, b, nearer, farther))
       return farther;
     return is_first_more_regular(m_points[a], m_points[b], m_points[nearer], m_points[farther]) ? nearer : farther;
   }

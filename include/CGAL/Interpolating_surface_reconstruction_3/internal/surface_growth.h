@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Growing_front.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/front_candidates.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/front_gaps.h>
@@ -62,6 +63,7 @@ public:
         if (!grow(progress, on_verdict))
           break;
       }
+    withdraw_incomplete_regions();
     return m_attached;
   }
 
@@ -181,7 +183,30 @@ private:
       return;
     }
     m_front.attach(entry.edge, t[2], m_choose_gap);
+    if (!entry.is_agreed)
+      m_disputed.push_back(t);
     finish_triangle(t, on_verdict);
+  }
+
+  // Takes back the disputed triangles of a region that the growth did not close: one that is incomplete
+  // is as likely to be wrong.
+  void withdraw_incomplete_regions()
+  {
+    Parity_union_find regions(m_points.size());
+    for (const Triangle& t : m_disputed) {
+      regions.unite(t[0], t[1], false);
+      regions.unite(t[0], t[2], false);
+    }
+    std::vector<unsigned char> is_incomplete(m_points.size(), 0);
+    for (const Triangle& t : m_disputed)
+      for (Point_index p : t)
+        if (m_front.is_on_front(p))
+          is_incomplete[regions.find(p).root] = 1;
+    for (const Triangle& t : m_disputed)
+      if (is_incomplete[regions.find(t[0]).root] != 0) {
+        m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+        --m_attached;
+      }
   }
 
   template <typename OnVerdict>
@@ -212,6 +237,7 @@ private:
   Growing_front m_front;
   const Front_candidates<Builder> m_find_candidate;
   const Front_gaps m_choose_gap;
+  std::vector<Triangle> m_disputed; // those on which the stars do not agree
   std::vector<Entry> m_queue;      // a heap
   std::vector<Point_index> m_apex; // the candidate of each edge
   std::size_t m_attached = 0, m_steps = 0;
