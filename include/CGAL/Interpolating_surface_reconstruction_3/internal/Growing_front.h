@@ -88,15 +88,17 @@ public:
   std::size_t number_of_rings() const { return m_ring_sizes.size() - m_free_rings.size(); }
   std::size_t ring_size(Ring_index r) const { return m_ring_sizes[r]; }
 
-  // The edges that the last triangle brought, or that got another neighbor in their ring by it.
-  const std::vector<Edge_index>& changed_edges() const { return m_changed; }
+  // The edges that the last triangle brought to the front.
+  const std::vector<Edge_index>& new_edges() const { return m_new; }
+  // The other edges that got another neighbor in their ring by it.
+  const std::vector<Edge_index>& relinked_edges() const { return m_relinked; }
 
   // Begins a ring with a triangle that has no edge in common with the front. A triangle that touches
   // points of the front merges its ring with theirs. choose_gap is that of attach().
   template <typename ChooseGap>
   Front_event begin(const std::array<Point_index, 3>& triangle, const ChooseGap& choose_gap)
   {
-    m_changed.clear();
+    clear_changes();
     const Ring_index ring = add_ring(3);
     std::array<Edge_index, 3> edges;
     for (std::size_t i = 0; i != 3; ++i)
@@ -111,7 +113,7 @@ public:
       event = zip_if_double(e, event);
     for (Point_index p : triangle)
       m_is_reached[p] = 1;
-    keep_changed_edges();
+    keep_changes();
     return event;
   }
 
@@ -121,7 +123,7 @@ public:
   template <typename ChooseGap>
   Front_event attach(Edge_index e, Point_index p, const ChooseGap& choose_gap)
   {
-    m_changed.clear();
+    clear_changes();
     const Edge old = m_edges[e];
     const Edge_index u = add_edge(old.ends[0], p, old.ends[1], old.ring),
                      v = add_edge(p, old.ends[1], old.ends[0], old.ring);
@@ -136,7 +138,7 @@ public:
     event = zip_if_double(u, event);
     event = zip_if_double(v, event);
     m_is_reached[p] = 1;
-    keep_changed_edges();
+    keep_changes();
     return event;
   }
 
@@ -148,8 +150,8 @@ private:
   {
     link_at(e, p) = f;
     link_at(f, p) = e;
-    m_changed.push_back(e);
-    m_changed.push_back(f);
+    m_relinked.push_back(e);
+    m_relinked.push_back(f);
   }
 
   Edge_index find_besides(Point_index p, Point_index q, Edge_index excluded) const
@@ -172,6 +174,7 @@ private:
       m_edges[e] = edge;
     }
     m_edge_at[p] = m_edge_at[q] = e;
+    m_new.push_back(e);
     return e;
   }
 
@@ -358,11 +361,23 @@ private:
       divide(f, q, from_f.size);
   }
 
-  void keep_changed_edges()
+  void clear_changes()
   {
-    m_changed.erase(std::remove_if(m_changed.begin(), m_changed.end(), [&](Edge_index e) { return !is_edge(e); }), m_changed.end());
-    std::sort(m_changed.begin(), m_changed.end());
-    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
+    m_new.clear();
+    m_relinked.clear();
+  }
+
+  // Drops what is no edge any more, and what is listed twice.
+  void keep_changes()
+  {
+    const auto is_removed = [&](Edge_index e) { return !is_edge(e); };
+    m_new.erase(std::remove_if(m_new.begin(), m_new.end(), is_removed), m_new.end());
+    std::size_t kept = 0;
+    for (Edge_index e : m_relinked)
+      if (is_edge(e) && std::find(m_new.begin(), m_new.end(), e) == m_new.end() &&
+          std::find(m_relinked.begin(), m_relinked.begin() + std::ptrdiff_t(kept), e) == m_relinked.begin() + std::ptrdiff_t(kept))
+        m_relinked[kept++] = e;
+    m_relinked.resize(kept);
   }
 
   std::vector<Edge> m_edges;
@@ -371,7 +386,7 @@ private:
   std::vector<unsigned char> m_is_reached; // of each point
   std::vector<std::size_t> m_ring_sizes;   // 0 if the ring is free
   std::vector<Ring_index> m_free_rings;
-  std::vector<Edge_index> m_changed;
+  std::vector<Edge_index> m_new, m_relinked;
   std::vector<Gap> m_gaps;
 };
 

@@ -74,9 +74,8 @@ private:
   {
     m_progress.begin_stage(Stage::GROWING, GROWING_SHARE);
     Surface_growth<Builder> growth(m_cloud.positions(), builder);
-    const std::size_t attached = growth(m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      m_stages.report(t, verdict);
-    });
+    const std::size_t attached = growth.template grow_from_seeds<ConcurrencyTag>(
+      m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) { m_stages.report(t, verdict); });
     m_progress.end_stage(attached);
   }
 

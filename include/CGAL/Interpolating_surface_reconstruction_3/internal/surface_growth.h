@@ -20,12 +20,14 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/front_candidates.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/front_gaps.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/parallel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -54,10 +56,10 @@ public:
 
   // Calls on_verdict(triangle, verdict) for the triangles in the order in which they are attached, or
   // refused. Ends early if cancelled. Returns the number of attached triangles.
-  template <typename Progress, typename OnVerdict>
-  std::size_t operator()(Progress& progress, OnVerdict on_verdict)
+  template <typename ConcurrencyTag, typename Progress, typename OnVerdict>
+  std::size_t grow_from_seeds(Progress& progress, OnVerdict on_verdict)
   {
-    for (const Seed& seed : find_seeds())
+    for (const Seed& seed : find_seeds<ConcurrencyTag>())
       if (!m_front.is_reached(seed.center)) {
         begin_star(seed.center, on_verdict);
         if (!grow(progress, on_verdict))
@@ -101,23 +103,32 @@ private:
     }
   };
 
+  template <typename ConcurrencyTag>
   std::vector<Seed> find_seeds() const
   {
-    std::vector<Seed> seeds;
+    constexpr std::size_t POINTS_PER_BLOCK = 4096;
     const Star_compatibility& compatibility = m_builder.compatibility();
-    std::vector<std::uint32_t> link;
-    for (Point_index p = 0; p != m_builder.number_of_points(); ++p) {
-      if (!compatibility.is_point_agreed(p))
-        continue;
-      const Star_table& stars = compatibility.stars();
-      link.clear();
-      for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
-        link.push_back(stars.neighbor(s));
-      seeds.push_back(Seed{ !compatibility.is_point_on_boundary(p),
-                            planarity_degree(m_points[p], link, [&](std::uint32_t q) { return m_points[q]; }), p });
-    }
+    std::vector<Seed> seeds(m_points.size());
+    for_each_block<ConcurrencyTag>(m_points.size(), POINTS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> link;
+      for (std::size_t i = begin; i != end; ++i) {
+        const Point_index p = static_cast<Point_index>(i);
+        seeds[i] = compatibility.is_point_agreed(p) ? Seed{ !compatibility.is_point_on_boundary(p), planarity(p, link), p }
+                                                    : Seed{ false, 0., NO_POINT };
+      }
+    });
+    seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.center == NO_POINT; }), seeds.end());
     std::sort(seeds.begin(), seeds.end());
     return seeds;
+  }
+
+  double planarity(Point_index p, std::vector<std::uint32_t>& link) const
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    link.clear();
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+      link.push_back(stars.neighbor(s));
+    return planarity_degree(m_points[p], link, [&](std::uint32_t q) { return m_points[q]; });
   }
 
   // The star of the seed (3.3.1): its first triangle, and the others one after the other around it.
@@ -162,7 +173,7 @@ private:
 
   bool is_current(const Entry& entry) const
   {
-    return m_front.is_edge(entry.edge) && m_apex[entry.edge] == entry.vertices[2] && sorted_ends(entry.edge) == std::make_pair(entry.vertices[0], entry.vertices[1]);
+    return m_front.is_edge(entry.edge) && m_candidates[entry.edge].apex == entry.vertices[2] && sorted_ends(entry.edge) == std::make_pair(entry.vertices[0], entry.vertices[1]);
   }
 
   std::pair<Point_index, Point_index> sorted_ends(Edge_index e) const
@@ -178,7 +189,7 @@ private:
     const Triangle_verdict verdict = entry.is_agreed ? Triangle_verdict::ADDED : m_builder.try_add(t[0], t[1], t[2]);
     if (verdict != Triangle_verdict::ADDED) {
       // The edge waits until the front around it changes.
-      m_apex[entry.edge] = NO_POINT;
+      m_candidates[entry.edge].apex = NO_POINT;
       on_verdict(t, verdict);
       return;
     }
@@ -214,15 +225,18 @@ private:
   {
     ++m_attached;
     on_verdict(t, Triangle_verdict::ADDED);
-    m_apex.resize(m_front.edge_bound(), NO_POINT);
-    for (Edge_index e : m_front.changed_edges())
+    m_candidates.resize(m_front.edge_bound());
+    for (Edge_index e : m_front.new_edges())
       enqueue(e);
+    // An agreed candidate does not depend on the front around it.
+    for (Edge_index e : m_front.relinked_edges())
+      if (!m_candidates[e].is_agreed)
+        enqueue(e);
   }
 
   void enqueue(Edge_index e)
   {
-    const Front_candidate candidate = m_find_candidate(e);
-    m_apex[e] = candidate.apex;
+    const Front_candidate candidate = m_candidates[e] = m_find_candidate(e);
     if (candidate.apex == NO_POINT)
       return;
     const auto ends = sorted_ends(e);
@@ -239,7 +253,7 @@ private:
   const Front_gaps m_choose_gap;
   std::vector<Triangle> m_disputed; // those on which the stars do not agree
   std::vector<Entry> m_queue;      // a heap
-  std::vector<Point_index> m_apex; // the candidate of each edge
+  std::vector<Front_candidate> m_candidates; // of the edges
   std::size_t m_attached = 0, m_steps = 0;
 };
 
