@@ -93,8 +93,8 @@ public:
   // The other edges that got another neighbor in their ring by it.
   const std::vector<Edge_index>& relinked_edges() const { return m_relinked; }
 
-  // Begins a ring with a triangle that has no edge in common with the front. A triangle that touches
-  // points of the front merges its ring with theirs. choose_gap is that of attach().
+  // Begins a ring with a triangle. If the triangle touches the front, their rings are merged; an edge that
+  // it has in common with the front is closed. choose_gap is that of attach().
   template <typename ChooseGap>
   Front_event begin(const std::array<Point_index, 3>& triangle, const ChooseGap& choose_gap)
   {
@@ -109,17 +109,18 @@ public:
     for (std::size_t i = 0; i != 3; ++i)
       if (is_gap_needed(triangle[i]))
         event = touch(edges[(i + 2) % 3], edges[i], triangle[i], choose_gap);
+    bool is_edge_closed = false;
     for (Edge_index e : edges)
-      event = zip_if_double(e, event);
+      is_edge_closed = zip_if_double(e) || is_edge_closed;
     for (Point_index p : triangle)
       m_is_reached[p] = 1;
     keep_changes();
-    return event;
+    return is_edge_closed ? closing_event() : event;
   }
 
-  // Attaches the triangle of the edge and the point p. If the triangle reaches the front at p between
-  // several gaps, choose_gap(p, a, b, gaps), with the other vertices a and b of the triangle, returns the
-  // gap that it lies in, its first edge being the one on the side of a.
+  // Attaches the triangle of the edge and the point p. If the triangle reaches the front at p, and not along
+  // an edge, choose_gap(p, a, b, gaps), with the other vertices a and b of the triangle, returns the gap that
+  // it lies in, its first edge being the one on the side of a.
   template <typename ChooseGap>
   Front_event attach(Edge_index e, Point_index p, const ChooseGap& choose_gap)
   {
@@ -135,11 +136,10 @@ public:
     Front_event event = Front_event::EXTEND;
     if (is_gap_needed(p))
       event = touch(u, v, p, choose_gap);
-    event = zip_if_double(u, event);
-    event = zip_if_double(v, event);
+    const bool is_u_closed = zip_if_double(u), is_v_closed = zip_if_double(v);
     m_is_reached[p] = 1;
     keep_changes();
-    return event;
+    return is_u_closed || is_v_closed ? closing_event() : event;
   }
 
 private:
@@ -313,13 +313,13 @@ private:
   }
 
   // If the front has the edge twice, the triangles beside it meet there, and the edge is no longer part
-  // of the front.
-  Front_event zip_if_double(Edge_index e, Front_event event)
+  // of the front. Returns whether that was so.
+  bool zip_if_double(Edge_index e)
   {
     const Point_index p = m_edges[e].ends[0], q = m_edges[e].ends[1];
     const Edge_index f = find_besides(p, q, e);
     if (f == NO_EDGE)
-      return event;
+      return false;
     const Edge_index e_p = link_at(e, p), e_q = link_at(e, q), f_p = link_at(f, p), f_q = link_at(f, q);
     const bool is_adjacent_at_p = e_p == f, is_adjacent_at_q = e_q == f;
     if (m_edges[e].ring != m_edges[f].ring)
@@ -332,14 +332,15 @@ private:
       link(e_p, f_p, p);
     if (!is_adjacent_at_q)
       link(e_q, f_q, q);
-    if (m_ring_sizes[ring] == 0) {
+    if (m_ring_sizes[ring] == 0)
       remove_ring(ring);
-      return Front_event::CLOSE_LOOP;
-    }
-    if (!is_adjacent_at_p && !is_adjacent_at_q)
+    else if (!is_adjacent_at_p && !is_adjacent_at_q)
       divide_if_apart(e_p, p, e_q, q);
-    return event == Front_event::CLOSE_LOOP ? event : Front_event::CLOSE_EAR;
+    return true;
   }
+
+  // A triangle that closed edges: the last of a loop, if none of its own edges is left.
+  Front_event closing_event() const { return m_new.empty() ? Front_event::CLOSE_LOOP : Front_event::CLOSE_EAR; }
 
   // The ring of e was joined anew at p and at q, where e and f begin; it may have fallen into two.
   void divide_if_apart(Edge_index e, Point_index p, Edge_index f, Point_index q)
