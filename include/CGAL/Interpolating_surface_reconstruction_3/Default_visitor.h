@@ -76,7 +76,8 @@ struct Default_visitor
   /// polled during the reconstruction, possibly from several threads; `false` cancels.
   bool go_further() { return true; }
 
-  /// called for each triangle proposed after the agreed ones, with positions in the input range.
+  /// called for each triangle proposed after the agreed ones, with positions in the input range; during
+  /// `Stage::GROWING`, for the agreed ones as well.
   void on_triangle(const std::array<std::size_t, 3>& /* triangle */, Triangle_verdict /* verdict */) { }
 
   /// called when a stage ends, with the number of items that it produced.
