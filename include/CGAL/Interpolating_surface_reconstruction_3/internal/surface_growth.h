@@ -24,6 +24,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 
+#include <boost/heap/d_ary_heap.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -59,12 +61,16 @@ public:
   template <typename ConcurrencyTag, typename Progress, typename OnVerdict>
   std::size_t grow_from_seeds(Progress& progress, OnVerdict on_verdict)
   {
-    for (const Seed& seed : find_seeds<ConcurrencyTag>())
-      if (!m_front.is_reached(seed.center)) {
-        begin_star(seed.center, on_verdict);
-        if (!grow(progress, on_verdict))
-          break;
-      }
+    std::vector<Seed> seeds = find_seeds<ConcurrencyTag>();
+    const auto is_reached = [&](const Seed& seed) { return m_front.is_reached(seed.center); };
+    // The first seed mostly reaches nearly all others, so that few are left to be sorted.
+    if (!seeds.empty() && !grow_from(*std::min_element(seeds.begin(), seeds.end()), progress, on_verdict))
+      return m_attached;
+    seeds.erase(std::remove_if(seeds.begin(), seeds.end(), is_reached), seeds.end());
+    std::sort(seeds.begin(), seeds.end());
+    for (const Seed& seed : seeds)
+      if (!is_reached(seed) && !grow_from(seed, progress, on_verdict))
+        return m_attached;
     withdraw_incomplete_regions();
     return m_attached;
   }
@@ -95,7 +101,6 @@ private:
     double coplanarity;
     std::array<Point_index, 3> vertices; // the ends of the edge, the smaller one first, and the apex
     Edge_index edge;
-    bool is_agreed;
 
     bool operator<(const Entry& other) const
     {
@@ -118,7 +123,6 @@ private:
       }
     });
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.center == NO_POINT; }), seeds.end());
-    std::sort(seeds.begin(), seeds.end());
     return seeds;
   }
 
@@ -157,14 +161,14 @@ private:
 
   // Returns false if cancelled.
   template <typename Progress, typename OnVerdict>
-  bool grow(Progress& progress, OnVerdict on_verdict)
+  bool grow_from(const Seed& seed, Progress& progress, OnVerdict on_verdict)
   {
+    begin_star(seed.center, on_verdict);
     while (!m_queue.empty()) {
       if (++m_steps % STEPS_PER_POLL == 0 && !progress.advance((std::min)(1., double(m_attached) / (2. * double(m_points.size())))))
         return false;
-      std::pop_heap(m_queue.begin(), m_queue.end());
-      const Entry entry = m_queue.back();
-      m_queue.pop_back();
+      const Entry entry = m_queue.top();
+      m_queue.pop();
       if (is_current(entry))
         attach(entry, on_verdict);
     }
@@ -186,7 +190,8 @@ private:
   void attach(const Entry& entry, OnVerdict on_verdict)
   {
     const Triangle& t = entry.vertices;
-    const Triangle_verdict verdict = entry.is_agreed ? Triangle_verdict::ADDED : m_builder.try_add(t[0], t[1], t[2]);
+    const bool is_agreed = m_candidates[entry.edge].is_agreed;
+    const Triangle_verdict verdict = is_agreed ? Triangle_verdict::ADDED : m_builder.try_add(t[0], t[1], t[2]);
     if (verdict != Triangle_verdict::ADDED) {
       // The edge waits until the front around it changes.
       m_candidates[entry.edge].apex = NO_POINT;
@@ -194,7 +199,7 @@ private:
       return;
     }
     m_front.attach(entry.edge, t[2], m_choose_gap);
-    if (!entry.is_agreed)
+    if (!is_agreed)
       m_disputed.push_back(t);
     finish_triangle(t, on_verdict);
   }
@@ -240,8 +245,7 @@ private:
     if (candidate.apex == NO_POINT)
       return;
     const auto ends = sorted_ends(e);
-    m_queue.push_back(Entry{ candidate.coplanarity, { { ends.first, ends.second, candidate.apex } }, e, candidate.is_agreed });
-    std::push_heap(m_queue.begin(), m_queue.end());
+    m_queue.push(Entry{ candidate.coplanarity, { { ends.first, ends.second, candidate.apex } }, e });
   }
 
   static constexpr std::size_t STEPS_PER_POLL = 1024;
@@ -252,7 +256,7 @@ private:
   const Front_candidates<Builder> m_find_candidate;
   const Front_gaps m_choose_gap;
   std::vector<Triangle> m_disputed; // those on which the stars do not agree
-  std::vector<Entry> m_queue;      // a heap
+  boost::heap::d_ary_heap<Entry, boost::heap::arity<4> > m_queue;
   std::vector<Front_candidate> m_candidates; // of the edges
   std::size_t m_attached = 0, m_steps = 0;
 };
