@@ -52,9 +52,9 @@ const char* const usage =
   "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference.\n"
   "\n"
   "  --runs N                 runs of each method, alternating (default 3)\n"
-  "  --method af|ctc          run this method only; may be repeated\n"
-  "  --threads N              CTC with Parallel_tag on N threads (default: Sequential_tag)\n"
-  "  --keep-boundaries        CTC leaves real boundaries open\n"
+  "  --method af|ctc|pcr      run this method only; may be repeated\n"
+  "  --threads N              CTC and PCR with Parallel_tag on N threads (default: Sequential_tag)\n"
+  "  --keep-boundaries        CTC and PCR leave real boundaries open\n"
   "  --no-metrics             no distances to the reference and no self-intersections\n"
   "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
   "  --csv FILE               write the rows to FILE as well\n"
@@ -95,7 +95,7 @@ Options parse(int argc, char** argv)
   if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
     throw std::invalid_argument("file missing");
   if (options.methods.empty())
-    options.methods = { Method::AF, Method::CTC };
+    options.methods = { Method::AF, Method::CTC, Method::PCR };
   return options;
 }
 

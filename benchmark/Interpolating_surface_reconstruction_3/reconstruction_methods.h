@@ -15,6 +15,7 @@
 #include "model_files.h"
 
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/pcr_reconstruction.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Random.h>
@@ -31,9 +32,12 @@
 
 namespace isr_benchmark {
 
-enum class Method { AF, CTC };
+enum class Method { AF, CTC, PCR };
 
-inline const char* name(Method method) { return method == Method::AF ? "AF" : "CTC"; }
+inline const char* name(Method method)
+{
+  return method == Method::AF ? "AF" : method == Method::CTC ? "CTC" : "PCR";
+}
 
 inline Method method_of_name(const std::string& text)
 {
@@ -41,7 +45,9 @@ inline Method method_of_name(const std::string& text)
     return Method::AF;
   if (text == "ctc" || text == "CTC")
     return Method::CTC;
-  throw std::invalid_argument("unknown method " + text + " (af, ctc)");
+  if (text == "pcr" || text == "PCR")
+    return Method::PCR;
+  throw std::invalid_argument("unknown method " + text + " (af, ctc, pcr)");
 }
 
 struct Method_options
@@ -61,11 +67,14 @@ inline std::vector<Triangle> advancing_front(const std::vector<Point>& points)
 }
 
 template <typename ConcurrencyTag>
-std::vector<Triangle> ctc(const std::vector<Point>& points, const Method_options& options)
+std::vector<Triangle> ours(Method method, const std::vector<Point>& points, const Method_options& options)
 {
+  const auto np = CGAL::parameters::keep_boundaries(options.keep_boundaries);
   std::vector<Triangle> triangles;
-  CGAL::ctc_reconstruction<ConcurrencyTag>(points, std::back_inserter(triangles),
-                                           CGAL::parameters::keep_boundaries(options.keep_boundaries));
+  if (method == Method::CTC)
+    CGAL::ctc_reconstruction<ConcurrencyTag>(points, std::back_inserter(triangles), np);
+  else
+    CGAL::pcr_reconstruction<ConcurrencyTag>(points, std::back_inserter(triangles), np);
   return triangles;
 }
 
@@ -75,10 +84,10 @@ inline std::vector<Triangle> reconstruct(Method method, const std::vector<Point>
   if (method == Method::AF)
     return advancing_front(points);
   if (options.threads == 0)
-    return ctc<CGAL::Sequential_tag>(points, options);
+    return ours<CGAL::Sequential_tag>(method, points, options);
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-  return ctc<CGAL::Parallel_tag>(points, options);
+  return ours<CGAL::Parallel_tag>(method, points, options);
 #else
   throw std::invalid_argument("--threads: built without TBB");
 #endif

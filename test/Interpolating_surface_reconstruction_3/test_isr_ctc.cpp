@@ -17,15 +17,6 @@
 
 using namespace isr_test;
 
-// All distinct points on a surface with the topology of the sample's.
-void check_topology(const Sample& s, const Triples& triples, const Counting_visitor& visitor)
-{
-  ISR_CHECK_EQUAL(visitor.unused, 0u);
-  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), s.boundary_loops);
-  ISR_CHECK_EQUAL(validation::number_of_components(triples), s.components);
-  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), s.euler);
-}
-
 void test_closed(const Sample& s)
 {
   begin_case(s.name);

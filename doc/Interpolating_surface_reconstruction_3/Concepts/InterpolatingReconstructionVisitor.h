@@ -13,6 +13,7 @@ All functions but `go_further()` are called by the thread that called the recons
 \cgalHasModelsEnd
 
 \sa `CGAL::ctc_reconstruction()`
+\sa `CGAL::pcr_reconstruction()`
 */
 class InterpolatingReconstructionVisitor
 {
@@ -44,7 +45,8 @@ public:
   bool go_further();
 
   /*!
-  is called for every triangle that is proposed where the stars do not agree.
+  is called for every triangle that is proposed where the stars do not agree; during `Stage::GROWING`, for
+  the triangles on which they agree as well, in the order in which they are attached.
   \param triangle positions in the input range.
   \param verdict what happened to the triangle.
   */

@@ -19,6 +19,7 @@ sees, such as a diagonal chosen in its tangent plane, should be avoided.
 \cgalHasModelsEnd
 
 \sa `CGAL::ctc_reconstruction()`
+\sa `CGAL::pcr_reconstruction()`
 */
 class StarConstruction_3
 {

@@ -7,6 +7,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/pcr_reconstruction.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -58,6 +59,15 @@ struct Ctc
   }
 };
 
+struct Pcr
+{
+  template <typename ConcurrencyTag, typename NamedParameters>
+  static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
+  {
+    return CGAL::pcr_reconstruction<ConcurrencyTag>(points, mesh, np);
+  }
+};
+
 template <typename Method, typename NamedParameters>
 bool run_on_threads(const Point_set& points, Mesh& mesh, std::size_t threads,
                     const NamedParameters& np)
@@ -101,7 +111,8 @@ using Method = bool (*)(const Point_set&, Mesh&, const Reconstruction_options&, 
 inline const std::map<std::string, internal::Method>& methods()
 {
   static const std::map<std::string, internal::Method> all = {
-    { "ctc", internal::run<internal::Ctc> }
+    { "ctc", internal::run<internal::Ctc> },
+    { "pcr", internal::run<internal::Pcr> }
   };
   return all;
 }

@@ -30,6 +30,7 @@ enum class Stage
   INDEXING,       ///< copying, sorting and indexing the points
   STARS,          ///< a star of triangles at every point, from its neighbors
   COMPATIBILITY,  ///< triangles on which the stars agree
+  GROWING,        ///< growth of the surface from its most planar stars, by `pcr_reconstruction()`
   COMPLETION,     ///< closing of planar loops, completion of the surface where the stars conflict
   HOLES,          ///< closing of loops, dissolving of islands, insertion of points left over
   ORIENTATION,    ///< consistent orientation, outward for closed components
@@ -75,7 +76,8 @@ struct Default_visitor
   /// polled during the reconstruction, possibly from several threads; `false` cancels.
   bool go_further() { return true; }
 
-  /// called for each triangle proposed after the agreed ones, with positions in the input range.
+  /// called for each triangle proposed after the agreed ones, with positions in the input range; during
+  /// `Stage::GROWING`, for the agreed ones as well.
   void on_triangle(const std::array<std::size_t, 3>& /* triangle */, Triangle_verdict /* verdict */) { }
 
   /// called when a stage ends, with the number of items that it produced.

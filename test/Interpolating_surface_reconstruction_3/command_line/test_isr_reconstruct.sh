@@ -103,6 +103,11 @@ check "the bowl is not closed" test "$(sed -n 's/^boundary edges: *//p' out.txt)
 succeeds sphere.xyz radius.off --neighbor-radius 100
 check "a large radius changes nothing" cmp radius.off sphere_mesh.off
 
+for method in ctc pcr; do
+  succeeds sphere.xyz method.off --method "$method"
+  check "triangles by $method" equal "$(triangles)" 996
+done
+
 # Statistics -------------------------------------------------------------------------------------
 odd_name=$'a "quoted" back\\slash \ttab.xyz'
 cp sphere.xyz "$odd_name"

@@ -14,36 +14,13 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_stages.h>
 
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
-
-// What the user can ask of a reconstruction.
-struct Reconstruction_options
-{
-  double neighbor_radius = 0.; // in the user's unit; 0: unlimited
-  std::size_t maximum_hole_size = (std::numeric_limits<std::size_t>::max)();
-  bool keep_boundaries = false;
-};
 
 // Compatible triangle charts (thesis chapter 4): a star of triangles at every point, made compatible
 // into an atlas of the surface.
@@ -51,16 +28,14 @@ template <typename ConcurrencyTag, typename Traits, typename StarConstruction, t
 class Ctc_reconstructor_3
 {
 public:
-  using Cloud = Point_cloud_3<Traits>;
-  using Predicates = Surface_predicates<Traits>;
-  using Builder = Manifold_builder<Predicates>;
-  using Input_triangle = std::array<std::size_t, 3>;
+  using Stages = Reconstruction_stages<ConcurrencyTag, Traits, StarConstruction, Visitor>;
+  using Builder = typename Stages::Builder;
 
   // `normals` are in the order of the cloud, or empty.
-  Ctc_reconstructor_3(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
-                      const Reconstruction_options& options, Progress<Visitor>& progress)
-    : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress),
-      m_predicates(cloud)
+  Ctc_reconstructor_3(const typename Stages::Cloud& cloud, const std::vector<Local_vector>& normals,
+                      const StarConstruction& construction, const Reconstruction_options& options,
+                      Progress<Visitor>& progress)
+    : m_stages(cloud, normals, construction, options, progress), m_progress(progress)
   { }
 
   // Calls output(triangle) for each triangle of the surface; returns false if cancelled, before the
@@ -68,21 +43,21 @@ public:
   template <typename Output>
   bool operator()(const Output& output)
   {
-    const Point_octree_3 octree = build_octree();
+    const Point_octree_3 octree = m_stages.build_octree(INDEXING_SHARE);
     if (m_progress.is_cancelled())
       return false;
-    const Star_table stars = build_stars(octree);
+    const Star_table stars = m_stages.build_stars(octree, STARS_SHARE);
     if (m_progress.is_cancelled())
       return false;
-    Star_compatibility compatibility = find_agreed_triangles(stars);
+    Star_compatibility compatibility = m_stages.find_agreed_triangles(stars, COMPATIBILITY_SHARE);
     if (m_progress.is_cancelled())
       return false;
-    Builder builder(compatibility, m_predicates);
-    complete_conflicts(octree, builder);
+    Builder builder(compatibility, m_stages.predicates());
+    m_stages.complete_conflicts(octree, builder, COMPLETION_SHARE);
     if (m_progress.is_cancelled())
       return false;
-    close_holes(octree, builder);
-    return !m_progress.is_cancelled() && write_oriented(builder, output);
+    m_stages.close_holes(octree, builder, HOLES_SHARE);
+    return !m_progress.is_cancelled() && m_stages.write_oriented(builder, output, ORIENTATION_SHARE);
   }
 
 private:
@@ -90,115 +65,15 @@ private:
   static constexpr double INDEXING_SHARE = .05, STARS_SHARE = .6, COMPATIBILITY_SHARE = .1, COMPLETION_SHARE = .1,
                           HOLES_SHARE = .05, ORIENTATION_SHARE = .1;
 
-  Point_octree_3 build_octree()
-  {
-    m_progress.begin_stage(Stage::INDEXING, INDEXING_SHARE);
-    Point_octree_3 octree(m_cloud.positions());
-    m_progress.end_stage(octree.leaves().size());
-    return octree;
-  }
-
-  double maximum_radius() const
-  {
-    return m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius)
-                                          : std::numeric_limits<double>::infinity();
-  }
-
-  Star_table build_stars(const Point_octree_3& octree)
-  {
-    m_progress.begin_stage(Stage::STARS, STARS_SHARE);
-    Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(), m_progress);
-    m_progress.end_stage(stars.size());
-    return stars;
-  }
-
-  Star_compatibility find_agreed_triangles(const Star_table& stars)
-  {
-    m_progress.begin_stage(Stage::COMPATIBILITY, COMPATIBILITY_SHARE);
-    Star_compatibility compatibility(stars);
-    const auto go_further = [&] { return m_progress.advance(0.); };
-    compatibility.template count_votes<ConcurrencyTag>(m_predicates, go_further);
-    compatibility.orient(go_further);
-    m_progress.end_stage(compatibility.number_of_agreed_points());
-    return compatibility;
-  }
-
-  void complete_conflicts(const Point_octree_3& octree, Builder& builder)
-  {
-    m_progress.begin_stage(Stage::COMPLETION, COMPLETION_SHARE);
-    std::size_t attached = 0;
-    const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
-      report(t, verdict);
-    };
-    Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
-    close.close_planar_loops(m_progress, on_verdict);
-    Conflict_completion<Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
-    complete(m_progress, on_verdict);
-    m_progress.end_stage(attached);
-  }
-
-  void close_holes(const Point_octree_3& octree, Builder& builder)
-  {
-    m_progress.begin_stage(Stage::HOLES, HOLES_SHARE);
-    std::size_t attached = 0;
-    Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
-    const auto is_boundary = [&](const Boundary_loop& loop) {
-      return m_options.keep_boundaries && are_most_stars_open(builder, loop);
-    };
-    close(is_boundary, m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
-      report(t, verdict);
-    });
-    Island_removal<Builder> remove_islands(builder);
-    remove_islands();
-    Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
-    const std::size_t unused = insert(m_progress);
-    if (!m_progress.is_cancelled())
-      m_progress.visitor().on_points_unused(unused);
-    m_progress.end_stage(attached);
-  }
-
-  static bool are_most_stars_open(const Builder& builder, const Boundary_loop& loop)
-  {
-    std::size_t open = 0;
-    for (Point_index p : loop)
-      open += builder.compatibility().is_star_open(p) ? 1u : 0u;
-    return 2 * open > loop.size();
-  }
-
-  template <typename Output>
-  bool write_oriented(Builder& builder, const Output& output)
-  {
-    m_progress.begin_stage(Stage::ORIENTATION, ORIENTATION_SHARE);
-    Surface_orientation<Builder> orientation(m_cloud.positions(), builder);
-    if (m_normals.empty())
-      orientation.face_outward([&] { return m_progress.advance(0.); });
-    else
-      orientation.align_with_normals([&](Point_index p) { return m_normals[p]; });
-    m_progress.end_stage(orientation.number_of_triangles());
-    if (!m_progress.finish())
-      return false;
-    orientation.for_each_oriented_triangle([&](const typename Builder::Triangle& t) { output(input_triangle(t)); });
-    return true;
-  }
-
-  void report(const typename Builder::Triangle& t, Triangle_verdict verdict)
-  {
-    m_progress.visitor().on_triangle(input_triangle(t), verdict);
-  }
-
-  Input_triangle input_triangle(const typename Builder::Triangle& t) const
-  {
-    return Input_triangle{ { m_cloud.input_index(t[0]), m_cloud.input_index(t[1]), m_cloud.input_index(t[2]) } };
-  }
-
-  const Cloud& m_cloud;
-  const std::vector<Local_vector>& m_normals;
-  const StarConstruction& m_construction;
-  const Reconstruction_options m_options;
+  Stages m_stages;
   Progress<Visitor>& m_progress;
-  const Predicates m_predicates;
+};
+
+template <typename ConcurrencyTag>
+struct Ctc_algorithm
+{
+  template <typename Traits, typename StarConstruction, typename Visitor>
+  using Reconstructor = Ctc_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Visitor>;
 };
 
 } // namespace internal

@@ -64,6 +64,13 @@ public:
     return View::ABSENT;
   }
 
+  // The number of the stars of a, b and c that contain the triangle (a, b, c).
+  std::size_t votes(Point_index a, Point_index b, Point_index c) const
+  {
+    return (view(a, b, c) != View::ABSENT ? 1u : 0u) + (view(b, c, a) != View::ABSENT ? 1u : 0u) +
+           (view(c, a, b) != View::ABSENT ? 1u : 0u);
+  }
+
   // Builds the table from blocks of consecutive points, each with the lengths and the concatenation
   // of its links.
   struct Block { std::vector<std::uint32_t> lengths; std::vector<Point_index> neighbors; };

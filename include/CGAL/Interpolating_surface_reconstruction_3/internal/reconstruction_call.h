@@ -16,7 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Restricted_voronoi_star_3.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Ctc_reconstructor_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_stages.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/parameter_check.h>
@@ -134,13 +134,6 @@ std::vector<Local_vector> read_normals(const PointRange& points, NormalMap norma
   }
   return normals;
 }
-
-template <typename ConcurrencyTag>
-struct Ctc_algorithm
-{
-  template <typename Traits, typename StarConstruction, typename Visitor>
-  using Reconstructor = Ctc_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Visitor>;
-};
 
 // Reads and checks the parameters, runs the algorithm, and calls output(triangle) for each triangle.
 // Returns false if cancelled; nothing is written then.
