@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -51,25 +50,39 @@ public:
 
   // `points` are distinct. There are no cells if they are coplanar, or if they have far more cells than
   // the samples of a surface, which may be as many as the square of the points, as on a helix.
-  Cell_complex(const std::vector<Local_point>& positions, const std::vector<Point_index>& points)
+  // `keep_going(fraction)` is asked now and then; there are no cells if it returns false.
+  template <typename KeepGoing>
+  Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points, const KeepGoing& keep_going)
+    : m_points(std::move(points))
   {
+    std::sort(m_points.begin(), m_points.end());
     Delaunay delaunay;
     // Every second point of the ones left out so far joins in a round, the first round has few.
     std::size_t stride = 1;
-    while (points.size() / stride > POINTS_OF_FIRST_ROUND)
+    while (m_points.size() / stride > POINTS_OF_FIRST_ROUND)
       stride *= 2;
     for (bool is_first = true; stride != 0; stride /= 2, is_first = false) {
       std::vector<std::pair<Delaunay::Point, Point_index> > sites;
-      for (std::size_t i = is_first ? 0 : stride; i < points.size(); i += is_first ? stride : 2 * stride)
-        sites.emplace_back(Delaunay::Point(positions[points[i]].x(), positions[points[i]].y(), positions[points[i]].z()), points[i]);
+      for (std::size_t i = is_first ? 0 : stride; i < m_points.size(); i += is_first ? stride : 2 * stride) {
+        const Local_point& p = positions[m_points[i]];
+        sites.emplace_back(Delaunay::Point(p.x(), p.y(), p.z()), static_cast<Point_index>(i));
+      }
       delaunay.insert(sites.begin(), sites.end());
-      if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices())
+      if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices() ||
+          !keep_going(1. / double(stride)))
         return;
     }
     // Coplanar points have no cells.
     if (delaunay.dimension() == 3)
       copy_cells(delaunay);
   }
+
+  Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
+    : Cell_complex(positions, std::move(points), [](double) { return true; })
+  { }
+
+  // The points that the cells may have as vertices, increasing.
+  const std::vector<Point_index>& points() const { return m_points; }
 
   std::size_t size() const { return m_cells.size(); }
   const Cell& operator[](std::size_t c) const { return m_cells[c]; }
@@ -80,10 +93,25 @@ public:
            cell.vertices[3] == NO_POINT;
   }
 
-  // The vertices of the facet opposite to vertex i.
+  static bool is_infinite(const std::array<Point_index, 3>& facet)
+  {
+    return facet[0] == NO_POINT || facet[1] == NO_POINT || facet[2] == NO_POINT;
+  }
+
+  // The vertices of the facet opposite to vertex i. Seen from outside of the cell, they are in
+  // counterclockwise order if i is even.
   static std::array<Point_index, 3> facet(const Cell& cell, std::size_t i)
   {
     return { { cell.vertices[(i + 1) & 3], cell.vertices[(i + 2) & 3], cell.vertices[(i + 3) & 3] } };
+  }
+
+  // The vertex of the cell that is not of the facet.
+  static Point_index apex(const Cell& cell, const std::array<Point_index, 3>& facet)
+  {
+    for (std::size_t i = 0; i != 3; ++i)
+      if (cell.vertices[i] != facet[0] && cell.vertices[i] != facet[1] && cell.vertices[i] != facet[2])
+        return cell.vertices[i];
+    return cell.vertices[3];
   }
 
 private:
@@ -95,32 +123,7 @@ private:
   using Cell_base = Triangulation_cell_base_with_info_3<Cell_index, Kernel, Delaunay_triangulation_cell_base_3<Kernel> >;
   using Delaunay = Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vertex_base, Cell_base> >;
 
-  void copy_cells(const Delaunay& delaunay)
-  {
-    struct Sortable
-    {
-      std::array<Point_index, 4> key;
-      Delaunay::Cell_handle handle;
-      bool operator<(const Sortable& other) const { return key < other.key; }
-    };
-    std::vector<Sortable> order;
-    order.reserve(delaunay.number_of_cells());
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
-      Sortable sortable{ vertices_of(delaunay, cell), cell };
-      std::sort(sortable.key.begin(), sortable.key.end());
-      order.push_back(sortable);
-    }
-    std::sort(order.begin(), order.end());
-    for (std::size_t c = 0; c != order.size(); ++c)
-      order[c].handle->info() = static_cast<Cell_index>(c);
-    m_cells.resize(order.size());
-    for (std::size_t c = 0; c != order.size(); ++c) {
-      m_cells[c].vertices = vertices_of(delaunay, order[c].handle);
-      for (int i = 0; i != 4; ++i)
-        m_cells[c].neighbors[std::size_t(i)] = order[c].handle->neighbor(i)->info();
-    }
-  }
-
+  // The vertices of a cell as positions in m_points; NO_POINT if infinite.
   static std::array<Point_index, 4> vertices_of(const Delaunay& delaunay, Delaunay::Cell_handle cell)
   {
     std::array<Point_index, 4> result;
@@ -129,6 +132,50 @@ private:
     return result;
   }
 
+  void copy_cells(const Delaunay& delaunay)
+  {
+    const std::vector<Delaunay::Cell_handle> order = sorted_cells(delaunay);
+    for (std::size_t c = 0; c != order.size(); ++c)
+      order[c]->info() = static_cast<Cell_index>(c);
+    m_cells.resize(order.size());
+    for (std::size_t c = 0; c != order.size(); ++c) {
+      m_cells[c].vertices = vertices_of(delaunay, order[c]);
+      for (std::size_t i = 0; i != 4; ++i) {
+        m_cells[c].neighbors[i] = order[c]->neighbor(int(i))->info();
+        if (m_cells[c].vertices[i] != NO_POINT)
+          m_cells[c].vertices[i] = m_points[m_cells[c].vertices[i]];
+      }
+    }
+  }
+
+  // The cells in lexicographic order of their increasing vertices: those with the same smallest
+  // vertex are few.
+  std::vector<Delaunay::Cell_handle> sorted_cells(const Delaunay& delaunay) const
+  {
+    const auto key = [&](Delaunay::Cell_handle cell) {
+      std::array<Point_index, 4> result = vertices_of(delaunay, cell);
+      std::sort(result.begin(), result.end());
+      return result;
+    };
+    const auto smallest = [&](Delaunay::Cell_handle cell) {
+      const std::array<Point_index, 4> v = vertices_of(delaunay, cell);
+      return std::size_t((std::min)((std::min)(v[0], v[1]), (std::min)(v[2], v[3])));
+    };
+    std::vector<Cell_index> next(m_points.size() + 1, 0);
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+      ++next[smallest(cell) + 1];
+    for (std::size_t k = 0; k != m_points.size(); ++k)
+      next[k + 1] += next[k];
+    std::vector<Delaunay::Cell_handle> result(next.back());
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+      result[next[smallest(cell)]++] = cell;
+    const auto less = [&](Delaunay::Cell_handle a, Delaunay::Cell_handle b) { return key(a) < key(b); };
+    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k)
+      std::sort(result.begin() + std::ptrdiff_t(begin), result.begin() + std::ptrdiff_t(next[k]), less);
+    return result;
+  }
+
+  std::vector<Point_index> m_points; // increasing
   std::vector<Cell> m_cells;
 };
 

@@ -1,0 +1,186 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LIS_RECONSTRUCTOR_3_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LIS_RECONSTRUCTOR_3_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Ctc_reconstructor_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Linear implicit surface (thesis chapter 5): the tangent planes at the samples are blended into one
+// function; its signs label the Delaunay tetrahedra of the samples inside and outside, and the surface
+// consists of the facets between the labels.
+template <typename ConcurrencyTag, typename Traits, typename StarConstruction, typename Visitor>
+class Lis_reconstructor_3
+{
+public:
+  using Cloud = Point_cloud_3<Traits>;
+  using Triangle = std::array<Point_index, 3>;
+  using Triangles = std::vector<Triangle>;
+
+  // `normals` are in the order of the cloud, or empty; points with normal zero are not used.
+  Lis_reconstructor_3(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
+                      const Reconstruction_options& options, Progress<Visitor>& progress)
+    : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress)
+  { }
+
+  // The triangles of the surface, oriented; none if cancelled.
+  Triangles operator()()
+  {
+    find_normals();
+    if (m_progress.is_cancelled())
+      return {};
+    const Cell_complex cells = triangulate();
+    if (m_progress.is_cancelled())
+      return {};
+    if (cells.size() == 0)
+      return connect_charts();
+    Oriented_labelling labelling = find_signs(cells);
+    if (m_progress.is_cancelled())
+      return {};
+    return extract_surface(cells, labelling);
+  }
+
+private:
+  // Shares of the run time, measured on scans, for the progress.
+  static constexpr double NORMALS_SHARE = .1, INDEXING_SHARE = .6, FUNCTION_SHARE = .1, ISOSURFACE_SHARE = .2;
+
+  // Samples without normals get those of a surface made of compatible charts.
+  void find_normals()
+  {
+    m_progress.begin_stage(Stage::STARS, NORMALS_SHARE);
+    if (m_normals.empty())
+      m_normals = vertex_normals(m_cloud.positions(), charts());
+    m_progress.end_stage(m_normals.size());
+  }
+
+  Triangles charts()
+  {
+    Default_visitor visitor;
+    Progress<Default_visitor> progress([this](double fraction) { return m_progress.advance(fraction); }, visitor);
+    using Charts = Ctc_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Default_visitor>;
+    Triangles triangles;
+    std::vector<Point_index> cloud_index;
+    for (Point_index p = 0; p != m_cloud.size(); ++p) {
+      cloud_index.resize((std::max)(cloud_index.size(), m_cloud.input_index(p) + 1));
+      cloud_index[m_cloud.input_index(p)] = p;
+    }
+    Charts(m_cloud, m_normals, m_construction, m_options, progress)([&](const typename Charts::Input_triangle& t) {
+      triangles.push_back(Triangle{ { cloud_index[t[0]], cloud_index[t[1]], cloud_index[t[2]] } });
+    });
+    return triangles;
+  }
+
+  Cell_complex triangulate()
+  {
+    m_progress.begin_stage(Stage::INDEXING, INDEXING_SHARE);
+    std::vector<Point_index> samples;
+    for (Point_index p = 0; p != m_cloud.size(); ++p)
+      if (m_normals[p] != Local_vector(0, 0, 0))
+        samples.push_back(p);
+    Cell_complex cells(m_cloud.positions(), std::move(samples), [this](double fraction) { return m_progress.advance(fraction); });
+    m_progress.end_stage(cells.size());
+    return cells;
+  }
+
+  // Samples in one plane have no tetrahedra.
+  Triangles connect_charts()
+  {
+    m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
+    Triangles triangles = charts();
+    m_progress.end_stage(triangles.size());
+    return finish(std::move(triangles));
+  }
+
+  Oriented_labelling find_signs(const Cell_complex& cells)
+  {
+    m_progress.begin_stage(Stage::FUNCTION, FUNCTION_SHARE);
+    const Cell_signs signs(cells, m_cloud.positions(), m_normals);
+    Oriented_labelling labelling(cells, m_cloud.positions(), m_normals, signs.template compute<ConcurrencyTag>());
+    m_progress.end_stage(cells.size());
+    return labelling;
+  }
+
+  Triangles extract_surface(const Cell_complex& cells, Oriented_labelling& labelling)
+  {
+    m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
+    relax_labels(cells, labelling);
+    Labelling_repair<Oriented_labelling> repair(cells, labelling, [](Point_index) { return true; },
+                                                (std::numeric_limits<double>::max)());
+    repair();
+    repair.enforce();
+    Triangles triangles = facets_between_labels(cells, labelling);
+    m_progress.end_stage(triangles.size());
+    return finish(std::move(triangles));
+  }
+
+  // Counterclockwise, seen from the outside.
+  static Triangles facets_between_labels(const Cell_complex& cells, const Oriented_labelling& labelling)
+  {
+    Triangles triangles;
+    for (std::size_t c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        const auto cell = static_cast<Cell_complex::Cell_index>(c);
+        if (!labelling.label(cell) || !labelling.is_surface(cell, i))
+          continue;
+        Triangle t = Cell_complex::facet(cells[c], i);
+        if (i % 2 != 0)
+          std::swap(t[1], t[2]);
+        triangles.push_back(t);
+      }
+    return triangles;
+  }
+
+  Triangles finish(Triangles triangles)
+  {
+    std::vector<unsigned char> is_used(m_cloud.size(), 0);
+    for (const Triangle& t : triangles)
+      for (Point_index p : t)
+        is_used[p] = 1;
+    std::size_t unused = 0;
+    for (Point_index p = 0; p != m_cloud.size(); ++p)
+      unused += is_used[p] == 0 ? 1u : 0u;
+    if (!m_progress.is_cancelled())
+      m_progress.visitor().on_points_unused(unused);
+    return m_progress.finish() ? triangles : Triangles();
+  }
+
+  const Cloud& m_cloud;
+  std::vector<Local_vector> m_normals;
+  const StarConstruction& m_construction;
+  const Reconstruction_options m_options;
+  Progress<Visitor>& m_progress;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LIS_RECONSTRUCTOR_3_H
