@@ -34,6 +34,21 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
+// What the user can ask of a reconstruction by an implicit function.
+struct Lis_options
+{
+  double neighbor_radius = 0.; // in the user's unit; 0: unlimited
+  double grid_spacing = 0.;    // in the user's unit; 0: no finer than the samples
+  bool keep_boundaries = false;
+};
+
+// Oriented triangles; vertices from the number of samples on are added points.
+struct Lis_surface
+{
+  std::vector<Local_point> added_points;
+  std::vector<std::array<Point_index, 3> > triangles;
+};
+
 // Linear implicit surface (thesis chapter 5): the tangent planes at the samples are blended into one
 // function; its signs label the Delaunay tetrahedra of the samples inside and outside, and the surface
 // consists of the facets between the labels.
@@ -45,27 +60,30 @@ public:
   using Triangle = std::array<Point_index, 3>;
   using Triangles = std::vector<Triangle>;
 
-  // `normals` are in the order of the cloud, or empty; points with normal zero are not used.
+  // `normals` are in the order of the cloud and have unit length, or there are none.
   Lis_reconstructor_3(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
-                      const Reconstruction_options& options, Progress<Visitor>& progress)
+                      const Lis_options& options, Progress<Visitor>& progress)
     : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress)
   { }
 
-  // The triangles of the surface, oriented; none if cancelled.
-  Triangles operator()()
+  // Returns false if cancelled.
+  bool operator()(Lis_surface& surface)
   {
     find_normals();
     if (m_progress.is_cancelled())
-      return {};
+      return false;
     const Cell_complex cells = triangulate();
     if (m_progress.is_cancelled())
-      return {};
-    if (cells.size() == 0)
-      return connect_charts();
+      return false;
+    if (cells.size() == 0) {
+      surface.triangles = connect_charts();
+      return finish(surface);
+    }
     Oriented_labelling labelling = find_signs(cells);
     if (m_progress.is_cancelled())
-      return {};
-    return extract_surface(cells, labelling);
+      return false;
+    surface.triangles = extract_surface(cells, labelling);
+    return finish(surface);
   }
 
 private:
@@ -92,7 +110,9 @@ private:
       cloud_index.resize((std::max)(cloud_index.size(), m_cloud.input_index(p) + 1));
       cloud_index[m_cloud.input_index(p)] = p;
     }
-    Charts(m_cloud, m_normals, m_construction, m_options, progress)([&](const typename Charts::Input_triangle& t) {
+    Reconstruction_options options;
+    options.neighbor_radius = m_options.neighbor_radius;
+    Charts(m_cloud, m_normals, m_construction, options, progress)([&](const typename Charts::Input_triangle& t) {
       triangles.push_back(Triangle{ { cloud_index[t[0]], cloud_index[t[1]], cloud_index[t[2]] } });
     });
     return triangles;
@@ -101,6 +121,7 @@ private:
   Cell_complex triangulate()
   {
     m_progress.begin_stage(Stage::INDEXING, INDEXING_SHARE);
+    // A point that the charts leave out has no normal.
     std::vector<Point_index> samples;
     for (Point_index p = 0; p != m_cloud.size(); ++p)
       if (m_normals[p] != Local_vector(0, 0, 0))
@@ -116,7 +137,7 @@ private:
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
     Triangles triangles = charts();
     m_progress.end_stage(triangles.size());
-    return finish(std::move(triangles));
+    return triangles;
   }
 
   Oriented_labelling find_signs(const Cell_complex& cells)
@@ -138,7 +159,7 @@ private:
     repair.enforce();
     Triangles triangles = facets_between_labels(cells, labelling);
     m_progress.end_stage(triangles.size());
-    return finish(std::move(triangles));
+    return triangles;
   }
 
   // Counterclockwise, seen from the outside.
@@ -158,24 +179,25 @@ private:
     return triangles;
   }
 
-  Triangles finish(Triangles triangles)
+  bool finish(const Lis_surface& surface)
   {
-    std::vector<unsigned char> is_used(m_cloud.size(), 0);
-    for (const Triangle& t : triangles)
+    if (m_progress.is_cancelled())
+      return false;
+    std::vector<unsigned char> is_used(m_cloud.size() + surface.added_points.size(), 0);
+    for (const Triangle& t : surface.triangles)
       for (Point_index p : t)
         is_used[p] = 1;
     std::size_t unused = 0;
     for (Point_index p = 0; p != m_cloud.size(); ++p)
       unused += is_used[p] == 0 ? 1u : 0u;
-    if (!m_progress.is_cancelled())
-      m_progress.visitor().on_points_unused(unused);
-    return m_progress.finish() ? triangles : Triangles();
+    m_progress.visitor().on_points_unused(unused);
+    return m_progress.finish();
   }
 
   const Cloud& m_cloud;
   std::vector<Local_vector> m_normals;
   const StarConstruction& m_construction;
-  const Reconstruction_options m_options;
+  const Lis_options m_options;
   Progress<Visitor>& m_progress;
 };
 

@@ -85,7 +85,8 @@ public:
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
       flip(best_component(v, changes[v] == FREE_CHANGES));
-      changes[v] += changes[v] == FREE_CHANGES ? 0 : 1;
+      if (changes[v] != FREE_CHANGES)
+        ++changes[v];
       find_touched(m_best.cells);
       for (std::size_t w : m_touched)
         m_defects[w] = count_defects(w);
