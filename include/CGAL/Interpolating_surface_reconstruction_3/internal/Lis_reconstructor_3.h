@@ -21,6 +21,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
@@ -154,8 +155,10 @@ private:
     m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
     relax_labels(cells, labelling);
     Labelling_repair<Oriented_labelling> repair(cells, labelling, [](Point_index) { return true; },
-                                                (std::numeric_limits<double>::max)());
+                                                (std::numeric_limits<double>::max)(), true);
     repair();
+    Label_minimum_cut cut(cells, labelling);
+    cut(repair);
     repair.enforce();
     Triangles triangles = facets_between_labels(cells, labelling);
     m_progress.end_stage(triangles.size());

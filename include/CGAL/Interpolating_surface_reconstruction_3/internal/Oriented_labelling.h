@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -49,24 +50,37 @@ public:
   void flip(Cell_index c) { m_labels[c] ^= 1; }
   bool is_surface(Cell_index c, std::size_t i) const { return m_labels[c] != m_labels[m_cells[c].neighbors[i]]; }
 
+  // What facet i counts if it is a surface with its cell inside, or outside.
+  struct Facet_energy { double if_inside, if_outside, area; };
+
+  Facet_energy facet_energy(Cell_index c, std::size_t i) const
+  {
+    const auto f = Cell_complex::facet(m_cells[c], i);
+    const Local_vector area_vector = (i % 2 == 0 ? .5 : -.5) * normal_of(f);
+    const double area = std::sqrt(area_vector.squared_length());
+    const double along = area_vector * (m_normals[f[0]] + m_normals[f[1]] + m_normals[f[2]]) / 3;
+    return Facet_energy{ area - along, area + along, area };
+  }
+
+  // Negative if the cell wants to be inside, in units of area.
+  double outside_preference(Cell_index c, double total_area) const { return double(m_values[c]) * total_area; }
+
   // By what the energy falls if the cell changes its label. Infinite cells stay outside.
   double gain(Cell_index c) const
   {
-    const Cell_complex::Cell& cell = m_cells[c];
-    if (Cell_complex::is_infinite(cell))
+    if (Cell_complex::is_infinite(m_cells[c]))
       return -std::numeric_limits<double>::infinity();
-    const double side = label(c) ? 1. : -1.;
     double result = 0., total_area = 0.;
     for (std::size_t i = 0; i != 4; ++i) {
-      const auto f = Cell_complex::facet(cell, i);
-      const Local_vector area_vector = (i % 2 == 0 ? .5 : -.5) * normal_of(f);
-      const double area = std::sqrt(area_vector.squared_length());
-      const double along = side * (area_vector * (m_normals[f[0]] + m_normals[f[1]] + m_normals[f[2]])) / 3;
-      result += is_surface(c, i) ? area - along : -area - along;
-      total_area += area;
+      const Facet_energy energy = facet_energy(c, i);
+      if (is_surface(c, i))
+        result += label(c) ? energy.if_inside : energy.if_outside;
+      else
+        result -= label(c) ? energy.if_outside : energy.if_inside;
+      total_area += energy.area;
     }
-    const double against_sign = std::abs(double(m_values[c])) * total_area;
-    return result + (label(c) == wants_inside(c) ? -against_sign : against_sign);
+    const double preference = outside_preference(c, total_area);
+    return result + (label(c) ? preference : -preference);
   }
 
   double smallest_gain(Cell_index c) const

@@ -36,10 +36,12 @@ class Labelling_repair
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`.
+  // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`. Points off
+  // the surface may get one of their own unless `keeps_components`.
   template <typename IsInScope>
-  Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss)
-    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_cell_of(cells.points().size(), NO_CELL),
+  Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
+                   bool keeps_components = false)
+    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components), m_cell_of(cells.points().size(), NO_CELL),
       m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
@@ -87,10 +89,30 @@ public:
       flip(best_component(v, changes[v] == FREE_CHANGES));
       if (changes[v] != FREE_CHANGES)
         ++changes[v];
-      find_touched(m_best.cells);
-      for (std::size_t w : m_touched)
-        m_defects[w] = count_defects(w);
+      update_defects(m_best.cells);
       todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+    }
+  }
+
+  // To be called after operator(): changes the cells together and repairs what that breaks; takes it all
+  // back if defects remain that were not there before.
+  void change_unless_worse(std::vector<Cell_index> cells)
+  {
+    flip(cells);
+    int change = update_defects(cells);
+    std::vector<std::size_t> todo = m_touched;
+    while (!todo.empty()) {
+      const std::size_t v = todo.back();
+      todo.pop_back();
+      if (m_defects[v] == 0 || !improve(v))
+        continue;
+      change += m_best.defects;
+      cells.insert(cells.end(), m_best.cells.begin(), m_best.cells.end());
+      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+    }
+    if (change > 0) {
+      flip(cells);
+      update_defects(cells);
     }
   }
 
@@ -200,9 +222,7 @@ private:
     if (m_best.cells.empty())
       return false;
     flip(m_best.cells);
-    find_touched(m_best.cells);
-    for (std::size_t w : m_touched)
-      m_defects[w] = count_defects(w);
+    update_defects(m_best.cells);
     return true;
   }
 
@@ -210,6 +230,15 @@ private:
   {
     for (Cell_index c : cells)
       m_labelling.flip(c);
+  }
+
+  bool is_at_surface(const std::vector<Cell_index>& cells) const
+  {
+    for (Cell_index c : cells)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_labelling.is_surface(c, i))
+          return true;
+    return false;
   }
 
   // What the sum of the weights wins if all the cells change.
@@ -236,11 +265,24 @@ private:
     m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
   }
 
+  // Counts the defects at the vertices of cells that have changed; returns by how many there are more.
+  int update_defects(const std::vector<Cell_index>& cells)
+  {
+    int change = 0;
+    find_touched(cells);
+    for (std::size_t v : m_touched) {
+      const int defects = count_defects(v);
+      change += defects - m_defects[v];
+      m_defects[v] = defects;
+    }
+    return change;
+  }
+
   // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
   void try_move(std::size_t v, const std::vector<Cell_index>& cells)
   {
     const double g = gain(cells);
-    if (!(g > -m_maximum_loss))
+    if (!(g > -m_maximum_loss) || (m_keeps_components && !is_at_surface(cells)))
       return;
     flip(cells);
     if (count_defects(v) < m_defects[v]) {
@@ -275,6 +317,7 @@ private:
   const Cell_complex& m_cells;
   Labelling& m_labelling;
   double m_maximum_loss;
+  bool m_keeps_components;
   std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope, else NO_CELL
   std::vector<int> m_defects;         // of each point, 0 out of the scope
   std::vector<std::uint32_t> m_mark;  // of each cell: the last search that reached it
