@@ -15,15 +15,14 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Ctc_reconstructor_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
 #include <array>
@@ -96,27 +95,9 @@ private:
   {
     m_progress.begin_stage(Stage::STARS, NORMALS_SHARE);
     if (m_normals.empty())
-      m_normals = vertex_normals(m_cloud.positions(), charts());
+      m_normals = chart_normals<ConcurrencyTag>(m_cloud, m_construction, m_options.neighbor_radius,
+                                                [this](double fraction) { return m_progress.advance(fraction); });
     m_progress.end_stage(m_normals.size());
-  }
-
-  Triangles charts()
-  {
-    Default_visitor visitor;
-    Progress<Default_visitor> progress([this](double fraction) { return m_progress.advance(fraction); }, visitor);
-    using Charts = Ctc_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Default_visitor>;
-    Triangles triangles;
-    std::vector<Point_index> cloud_index;
-    for (Point_index p = 0; p != m_cloud.size(); ++p) {
-      cloud_index.resize((std::max)(cloud_index.size(), m_cloud.input_index(p) + 1));
-      cloud_index[m_cloud.input_index(p)] = p;
-    }
-    Reconstruction_options options;
-    options.neighbor_radius = m_options.neighbor_radius;
-    Charts(m_cloud, m_normals, m_construction, options, progress)([&](const typename Charts::Input_triangle& t) {
-      triangles.push_back(Triangle{ { cloud_index[t[0]], cloud_index[t[1]], cloud_index[t[2]] } });
-    });
-    return triangles;
   }
 
   Cell_complex triangulate()
@@ -136,7 +117,8 @@ private:
   Triangles connect_charts()
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
-    Triangles triangles = charts();
+    Triangles triangles = chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
+                                                          [this](double fraction) { return m_progress.advance(fraction); });
     m_progress.end_stage(triangles.size());
     return triangles;
   }

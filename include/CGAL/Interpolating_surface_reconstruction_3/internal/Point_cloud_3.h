@@ -41,6 +41,7 @@ template <typename Traits>
 class Point_cloud_3
 {
 public:
+  using Traits_class = Traits;
   using Point_3 = typename Traits::Point_3;
 
   template <typename PointRange, typename PointMap>

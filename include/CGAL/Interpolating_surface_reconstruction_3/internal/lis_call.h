@@ -19,6 +19,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/parameter_check.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_call.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/samples_with_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -60,24 +61,6 @@ Lis_options read_lis_options(const NamedParameters& np)
     checked_grid_spacing(CGAL::to_double(choose_parameter(get_parameter(np, internal_np::grid_spacing), 0.)));
   options.keep_boundaries = choose_parameter(get_parameter(np, internal_np::keep_boundaries), false);
   return options;
-}
-
-// The points without those that have no usable normal.
-template <typename Types, typename PointRange, typename NamedParameters>
-Point_cloud_3<typename Types::Traits> read_samples(const PointRange& points, const NamedParameters& np, const typename Types::Traits& traits)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const typename Types::Point_map point_map =
-    choose_parameter<typename Types::Point_map>(get_parameter(np, internal_np::point_map));
-  if constexpr (Types::has_normals) {
-    const auto normal_map = get_parameter(np, internal_np::normal_map);
-    if (is_usable(normal_map))
-      return Point_cloud_3<typename Types::Traits>(points, point_map, traits, [&](const auto& element) {
-        return unit_normal(get(normal_map, element), traits) != Local_vector(0, 0, 0);
-      });
-  }
-  return Point_cloud_3<typename Types::Traits>(points, point_map, traits);
 }
 
 // Passes a surface on: add_vertex(point, input position) for each vertex, first the samples in the
@@ -136,9 +119,7 @@ bool reconstruct_lis(const PointRange& points, const Write& write, const NamedPa
   Progress<Visitor> progress(callback, visitor);
   visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
   const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, traits);
-  std::vector<Local_vector> normals;
-  if constexpr (Types::has_normals)
-    normals = read_normals(points, get_parameter(np, internal_np::normal_map), cloud);
+  const std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
   visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
 
   using Reconstructor = Lis_reconstructor_3<ConcurrencyTag, Traits, typename Types::Star_construction, Visitor>;
