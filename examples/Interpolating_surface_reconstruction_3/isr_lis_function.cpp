@@ -20,6 +20,7 @@ using Function = CGAL::Interpolating_surface_reconstruction_3::Linear_implicit_f
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 int main(int argc, char* argv[])
 {
@@ -38,9 +39,8 @@ int main(int argc, char* argv[])
   const Domain domain = Domain::create_implicit_mesh_domain(
     function, Kernel::Sphere_3(CGAL::midpoint(low, high), diagonal * diagonal));
 
-  const CGAL::Mesh_criteria_3<Triangulation> criteria(
-    CGAL::parameters::facet_angle(25).facet_size(.03 * diagonal).facet_distance(.003 * diagonal)
-      .cell_radius_edge_ratio(3).cell_size(.1 * diagonal));
+  const Criteria criteria(Criteria::Facet_criteria(25, .03 * diagonal, .003 * diagonal),
+                          Criteria::Cell_criteria(3, .1 * diagonal));
   const Complex mesh = CGAL::make_mesh_3<Complex>(domain, criteria);
 
   std::cout << mesh.number_of_facets_in_complex() << " triangles around "

@@ -45,7 +45,7 @@ and outside; labels are changed where that lessens the area of the surface, or m
 normals better, and where the surface would not be a manifold. The facets between the labels are the
 surface.
 
-The triangles form an oriented 2-manifold without boundary: two triangles meet at every edge, one fan
+By default, the triangles form an oriented 2-manifold without boundary: two triangles meet at every edge, one fan
 of triangles at every vertex. They face outward, as the normals do, and do not cross each other, since
 they are Delaunay facets. By default, their vertices are points of the range. The vertices and
 triangles depend on the sequence of points and on the parameters, not on the number of threads; a
@@ -107,6 +107,21 @@ both ranges are appended to
       state}
     \cgalParamType{a model of `InterpolatingReconstructionVisitor`}
     \cgalParamDefault{`Interpolating_surface_reconstruction_3::Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{grid_spacing}
+    \cgalParamDescription{the largest length of an edge, in the unit of the points: longer edges are split, and
+      the new vertices are moved onto a smooth surface between the samples; `0` adds no vertices. The
+      surface stays a manifold, but may cross itself then}
+    \cgalParamType{`geom_traits::FT`}
+    \cgalParamDefault{`0`}
+    \cgalParamExtra{`std::invalid_argument` is thrown if it is negative or not finite, or so small that
+      there would be more than a billion triangles; the message states their number}
+  \cgalParamNEnd
+  \cgalParamNBegin{keep_boundaries}
+    \cgalParamDescription{* whether openings stay open whose triangles are much larger than those around
+      them. The surface may have a boundary then}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{the largest distance between neighbors in a star, in the unit of the points;

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 using namespace isr_test;
@@ -279,6 +280,71 @@ void test_overloads()
   ISR_CHECK_EQUAL(std::size_t(triangles[1][0]), 3 + expected.triangles[0][0]);
 }
 
+void test_refinement()
+{
+  begin_case("a finer mesh of a sphere");
+  const Oriented_points samples = with_normals(sphere_fibonacci(500).points, from_origin);
+  const auto np = oriented_maps();
+  const Soup coarse = lis(samples, np);
+  for (double spacing : { .1, .05 }) {
+    const Soup fine = lis(samples, np.grid_spacing(spacing));
+    ISR_CHECK(validation::is_oriented_manifold(fine.points, fine.triangles, Kernel()));
+    ISR_CHECK_EQUAL(validation::euler_characteristic(fine.triangles), 2);
+    double longest = 0., error = 0.;
+    for (const Triple& t : fine.triangles)
+      for (std::size_t i = 0; i != 3; ++i)
+        longest = (std::max)(longest, CGAL::squared_distance(fine.points[t[i]], fine.points[t[(i + 1) % 3]]));
+    for (const Point& p : fine.points)
+      error = (std::max)(error, std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.));
+    ISR_CHECK(longest <= spacing * spacing);
+    // the middles of the edges of the samples are 2e-3 below the sphere
+    ISR_CHECK(error < 1e-4);
+    for (std::size_t i = 0; i != coarse.points.size(); ++i)
+      ISR_CHECK(fine.points[i] == coarse.points[i]);
+    const Soup parallel = lis<CGAL::Parallel_if_available_tag>(samples, np.grid_spacing(spacing));
+    ISR_CHECK(parallel.points == fine.points && parallel.triangles == fine.triangles);
+  }
+  ISR_CHECK(lis(samples, np.grid_spacing(100.)).triangles == coarse.triangles);
+
+  begin_case("added vertices have no input index");
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::lis_reconstruction(samples, mesh, np.grid_spacing(.1));
+  const auto index = mesh.add_property_map<CGAL::Surface_mesh<Point>::Vertex_index, std::size_t>("v:input_index").first;
+  std::size_t from_input = 0;
+  for (const auto v : mesh.vertices())
+    from_input += index[v] != (std::numeric_limits<std::size_t>::max)() ? 1u : 0u;
+  ISR_CHECK_EQUAL(from_input, samples.size());
+
+  begin_case("bad grid spacing");
+  for (double spacing : { -1., 1e-12, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+    try {
+      lis(samples, np.grid_spacing(spacing));
+      ISR_CHECK(!"exception");
+    } catch (const std::invalid_argument& e) {
+      ISR_CHECK(std::string(e.what()).find("grid_spacing") != std::string::npos);
+    }
+}
+
+void test_boundaries()
+{
+  // a sphere without its top
+  Oriented_points bowl;
+  for (const Oriented_point& s : with_normals(sphere_fibonacci(3000).points, from_origin))
+    if (s.first.z() < .6)
+      bowl.push_back(s);
+  begin_case("openings are closed");
+  ISR_CHECK_EQUAL(validation::euler_characteristic(checked_lis(bowl).triangles), 2);
+  begin_case("openings are kept");
+  const Soup open = lis(bowl, params::combine(params::keep_boundaries(true), oriented_maps()));
+  ISR_CHECK(validation::is_oriented_manifold(open.points, open.triangles, Kernel()));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(open.triangles), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(open.triangles), 1);
+  begin_case("a closed surface stays closed");
+  for (const Solid& s : { solid(sphere_random(1500, 5), from_origin), box_solid(box_varying_spacing(20)) })
+    ISR_CHECK(validation::boundary_edges(
+                lis(s.points, params::combine(params::keep_boundaries(true), oriented_maps())).triangles).empty());
+}
+
 void test_cancel()
 {
   begin_case("cancel at every step");
@@ -312,6 +378,8 @@ int main()
   test_few_or_flat_points();
   test_determinism();
   test_overloads();
+  test_refinement();
+  test_boundaries();
   test_cancel();
   return result();
 }

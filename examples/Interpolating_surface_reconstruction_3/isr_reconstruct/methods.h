@@ -7,6 +7,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/lis_reconstruction.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -27,6 +28,7 @@ struct Reconstruction_options
   bool keep_boundaries = false;
   std::size_t maximum_hole_size = (std::numeric_limits<std::size_t>::max)();
   double neighbor_radius = 0.; // none
+  double grid_spacing = 0.;    // no finer than the points
   std::size_t threads = 1;
   bool use_normals = true;
 };
@@ -51,10 +53,29 @@ namespace internal {
 
 struct Ctc
 {
+  static auto parameters(const Reconstruction_options& options)
+  {
+    return CGAL::parameters::maximum_hole_size(options.maximum_hole_size);
+  }
+
   template <typename ConcurrencyTag, typename NamedParameters>
   static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
   {
     return CGAL::ctc_reconstruction<ConcurrencyTag>(points, mesh, np);
+  }
+};
+
+struct Lis
+{
+  static auto parameters(const Reconstruction_options& options)
+  {
+    return CGAL::parameters::grid_spacing(options.grid_spacing);
+  }
+
+  template <typename ConcurrencyTag, typename NamedParameters>
+  static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
+  {
+    return CGAL::lis_reconstruction<ConcurrencyTag>(points, mesh, np);
   }
 };
 
@@ -79,7 +100,7 @@ bool run(const Point_set& points, Mesh& mesh, const Reconstruction_options& opti
 {
   namespace parameters = CGAL::parameters;
 
-  const auto np = parameters::combine(parameters::maximum_hole_size(options.maximum_hole_size),
+  const auto np = parameters::combine(Method::parameters(options),
                                       parameters::keep_boundaries(options.keep_boundaries),
                                       parameters::point_map(points.point_map())
                                         .neighbor_radius(options.neighbor_radius)
@@ -101,7 +122,8 @@ using Method = bool (*)(const Point_set&, Mesh&, const Reconstruction_options&, 
 inline const std::map<std::string, internal::Method>& methods()
 {
   static const std::map<std::string, internal::Method> all = {
-    { "ctc", internal::run<internal::Ctc> }
+    { "ctc", internal::run<internal::Ctc> },
+    { "lis", internal::run<internal::Lis> }
   };
   return all;
 }

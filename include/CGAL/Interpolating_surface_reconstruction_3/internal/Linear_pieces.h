@@ -56,7 +56,8 @@ inline std::vector<double> star_radii(const std::vector<Local_point>& positions,
 class Linear_pieces
 {
 public:
-  struct Value { double value; Local_vector gradient; };
+  // The blended heights, their gradient, and the blended normals and offsets from the samples.
+  struct Value { double value; Local_vector gradient, normal, offset; };
 
   // Unit normals; positive radii. At least one sample.
   Linear_pieces(std::vector<Local_point> positions, std::vector<Local_vector> normals, std::vector<double> radii)
@@ -86,13 +87,14 @@ public:
     Nearest nearest{ 0, std::numeric_limits<double>::infinity() };
     find_nearest(0, x, nearest);
     const Local_vector& nearest_normal = m_normals[nearest.index];
-    const Value plane{ nearest_normal * (x - m_positions[nearest.index]), nearest_normal };
+    const Local_vector nearest_offset = x - m_positions[nearest.index];
+    const Value plane{ nearest_normal * nearest_offset, nearest_normal, nearest_normal, nearest_offset };
     const double support = weight.support();
     const double nearest_support = support * m_radii[nearest.index];
     if (!(weight(nearest.squared_distance / (nearest_support * nearest_support), 1.) < LARGEST_WEIGHT))
       return plane;
     double sum = 0., sum_of_values = 0.;
-    Local_vector gradient_of_sum(0, 0, 0), gradient_of_values(0, 0, 0);
+    Local_vector gradient_of_sum(0, 0, 0), gradient_of_values(0, 0, 0), normals(0, 0, 0), offsets(0, 0, 0);
     for_each_reaching(0, x, support, [&](Point_index i) {
       const Local_vector v = x - m_positions[i];
       const double squared_support = support * support * m_radii[i] * m_radii[i], ratio = v.squared_length() / squared_support;
@@ -102,16 +104,37 @@ public:
       const Local_vector gradient = (2. * weight.derivative(ratio, agreement) / squared_support) * v;
       sum += w;
       sum_of_values += w * height;
+      normals = normals + w * m_normals[i];
+      offsets = offsets + w * v;
       gradient_of_sum = gradient_of_sum + gradient;
-      gradient_of_values = gradient_of_values + height * gradient + w * m_normals[i];
+      gradient_of_values = gradient_of_values + height * gradient;
     });
     if (!(sum > 0.))
       return plane;
     const double value = sum_of_values / sum;
-    return Value{ value, (gradient_of_values - value * gradient_of_sum) / sum };
+    return Value{ value, (gradient_of_values + normals - value * gradient_of_sum) / sum, normals / sum, offsets / sum };
+  }
+
+  // A point near the surface moved onto it. Between samples, the planes overshoot a curved surface by as
+  // much as the chords undershoot it, and the mean of both, the height over a plane through the sample that
+  // is normal to the mean of its normal and the normal at x, is right on a sphere.
+  template <typename Weight>
+  Local_point moved_to_surface(Local_point x, const Weight& weight) const
+  {
+    for (int step = 0; step != STEPS_TO_SURFACE; ++step) {
+      const Value f = (*this)(x, weight);
+      const double length = std::sqrt(f.normal.squared_length());
+      if (!(length > 0.))
+        return x;
+      const Local_vector n = f.normal / length;
+      x = x - (f.value + n * f.offset) / 2 * n;
+    }
+    return x;
   }
 
 private:
+  static constexpr int STEPS_TO_SURFACE = 2; // the second corrects the normal
+
   struct Nearest { Point_index index; double squared_distance; };
 
   // Beside this weight of the nearest sample no other counts, and its derivative does not overflow yet.

@@ -15,14 +15,19 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Linear_pieces.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_opening.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_refinement.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_weights.h>
 
 #include <algorithm>
 #include <array>
@@ -76,13 +81,13 @@ public:
     if (m_progress.is_cancelled())
       return false;
     if (cells.size() == 0) {
-      surface.triangles = connect_charts();
-      return finish(surface);
+      connect_charts(surface);
+    } else {
+      Oriented_labelling labelling = find_signs(cells);
+      if (m_progress.is_cancelled())
+        return false;
+      extract_surface(cells, labelling, surface);
     }
-    Oriented_labelling labelling = find_signs(cells);
-    if (m_progress.is_cancelled())
-      return false;
-    surface.triangles = extract_surface(cells, labelling);
     return finish(surface);
   }
 
@@ -114,13 +119,13 @@ private:
   }
 
   // Samples in one plane have no tetrahedra.
-  Triangles connect_charts()
+  void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
-    Triangles triangles = chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
-                                                          [this](double fraction) { return m_progress.advance(fraction); });
-    m_progress.end_stage(triangles.size());
-    return triangles;
+    surface.triangles = chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
+                                                        [this](double fraction) { return m_progress.advance(fraction); });
+    refine(surface);
+    m_progress.end_stage(surface.triangles.size());
   }
 
   Oriented_labelling find_signs(const Cell_complex& cells)
@@ -132,19 +137,26 @@ private:
     return labelling;
   }
 
-  Triangles extract_surface(const Cell_complex& cells, Oriented_labelling& labelling)
+  void extract_surface(const Cell_complex& cells, Oriented_labelling& labelling, Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
     relax_labels(cells, labelling);
+    make_manifold(cells, labelling);
+    surface.triangles = facets_between_labels(cells, labelling);
+    if (m_options.keep_boundaries)
+      surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
+    refine(surface);
+    m_progress.end_stage(surface.triangles.size());
+  }
+
+  static void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling)
+  {
     Labelling_repair<Oriented_labelling> repair(cells, labelling, [](Point_index) { return true; },
                                                 (std::numeric_limits<double>::max)(), true);
     repair();
     Label_minimum_cut cut(cells, labelling);
     cut(repair);
     repair.enforce();
-    Triangles triangles = facets_between_labels(cells, labelling);
-    m_progress.end_stage(triangles.size());
-    return triangles;
   }
 
   // Counterclockwise, seen from the outside.
@@ -162,6 +174,26 @@ private:
         triangles.push_back(t);
       }
     return triangles;
+  }
+
+  // Adds vertices on a surface that is smooth between the samples.
+  void refine(Lis_surface& surface)
+  {
+    if (m_options.grid_spacing == 0. || surface.triangles.empty() || m_progress.is_cancelled())
+      return;
+    const Point_octree_3 octree(m_cloud.positions());
+    const double maximum_radius =
+      m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius) : std::numeric_limits<double>::infinity();
+    const Star_table stars =
+      construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius, m_progress);
+    if (m_progress.is_cancelled())
+      return;
+    const Linear_pieces pieces(m_cloud.positions(), m_normals, star_radii(m_cloud.positions(), stars));
+    Surface_refinement split(m_cloud.positions(), surface.triangles, surface.added_points);
+    split.template operator()<ConcurrencyTag>(
+      m_cloud.local_length(m_options.grid_spacing),
+      [&](const Local_point& x) { return pieces.moved_to_surface(x, Interpolating_weight()); },
+      [this](double fraction) { return m_progress.advance(fraction); });
   }
 
   bool finish(const Lis_surface& surface)
