@@ -297,8 +297,8 @@ void test_refinement()
     for (const Point& p : fine.points)
       error = (std::max)(error, std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.));
     ISR_CHECK(longest <= spacing * spacing);
-    // the middles of the edges of the samples are 2e-3 below the sphere
-    ISR_CHECK(error < 1e-4);
+    // the middles of the edges of the samples are 3e-3 below the sphere
+    ISR_CHECK(error < 5e-4);
     for (std::size_t i = 0; i != coarse.points.size(); ++i)
       ISR_CHECK(fine.points[i] == coarse.points[i]);
     const Soup parallel = lis<CGAL::Parallel_if_available_tag>(samples, np.grid_spacing(spacing));

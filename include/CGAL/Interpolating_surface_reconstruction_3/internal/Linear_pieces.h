@@ -56,7 +56,9 @@ inline std::vector<double> star_radii(const std::vector<Local_point>& positions,
 class Linear_pieces
 {
 public:
-  // The blended heights, their gradient, and the blended normals and offsets from the samples.
+  // The blended heights, their gradient, the blended offsets from the samples, and a direction of the
+  // normal. That is to vary evenly between the samples, and is blended by the fourth root of the weights,
+  // which is the inverse of the distance if the function interpolates.
   struct Value { double value; Local_vector gradient, normal, offset; };
 
   // Unit normals; positive radii. At least one sample.
@@ -94,7 +96,8 @@ public:
     if (!(weight(nearest.squared_distance / (nearest_support * nearest_support), 1.) < LARGEST_WEIGHT))
       return plane;
     double sum = 0., sum_of_values = 0.;
-    Local_vector gradient_of_sum(0, 0, 0), gradient_of_values(0, 0, 0), normals(0, 0, 0), offsets(0, 0, 0);
+    Local_vector gradient_of_sum(0, 0, 0), gradient_of_values(0, 0, 0), normals(0, 0, 0), smooth_normal(0, 0, 0),
+                 offsets(0, 0, 0);
     for_each_reaching(0, x, support, [&](Point_index i) {
       const Local_vector v = x - m_positions[i];
       const double squared_support = support * support * m_radii[i] * m_radii[i], ratio = v.squared_length() / squared_support;
@@ -104,6 +107,7 @@ public:
       const Local_vector gradient = (2. * weight.derivative(ratio, agreement) / squared_support) * v;
       sum += w;
       sum_of_values += w * height;
+      smooth_normal = smooth_normal + std::sqrt(std::sqrt(w)) * m_normals[i];
       normals = normals + w * m_normals[i];
       offsets = offsets + w * v;
       gradient_of_sum = gradient_of_sum + gradient;
@@ -112,7 +116,7 @@ public:
     if (!(sum > 0.))
       return plane;
     const double value = sum_of_values / sum;
-    return Value{ value, (gradient_of_values + normals - value * gradient_of_sum) / sum, normals / sum, offsets / sum };
+    return Value{ value, (gradient_of_values + normals - value * gradient_of_sum) / sum, smooth_normal, offsets / sum };
   }
 
   // A point near the surface moved onto it. Between samples, the planes overshoot a curved surface by as
