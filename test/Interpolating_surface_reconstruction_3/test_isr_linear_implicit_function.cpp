@@ -14,6 +14,7 @@
 #include "isr_test_lis.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_isosurface.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
@@ -170,6 +171,49 @@ void test_few_samples()
   }
 }
 
+void test_isosurface()
+{
+  begin_case("isosurface of a torus");
+  const Oriented_points samples = with_normals(torus(60, 24, .2, 3).points, normal_of_torus);
+  const auto distance = [](const Point& p) {
+    const double r = std::sqrt(p.x() * p.x() + p.y() * p.y()) - 1.;
+    return std::abs(std::sqrt(r * r + p.z() * p.z()) - .4);
+  };
+  Soup soup;
+  isr::linear_implicit_isosurface(Function(samples, oriented_maps()), soup.points, soup.triangles, .05);
+  ISR_CHECK(validation::are_indices_valid(soup.triangles, soup.points.size()));
+  ISR_CHECK(validation::is_vertex_manifold(soup.triangles));
+  ISR_CHECK(validation::is_consistently_oriented(soup.triangles));
+  ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(soup.triangles), 0);
+  ISR_CHECK_EQUAL(validation::number_of_components(soup.triangles), 1u);
+  ISR_CHECK(are_outward(soup.points, soup.triangles));
+  for (const Point& p : soup.points)
+    ISR_CHECK(distance(p) < .02);
+
+  begin_case("the method of the thesis: weights and default step");
+  Soup thesis;
+  const Thesis_function f(samples, oriented_maps());
+  isr::linear_implicit_isosurface(f, thesis.points, thesis.triangles);
+  ISR_CHECK(validation::is_vertex_manifold(thesis.triangles));
+  ISR_CHECK(validation::boundary_edges(thesis.triangles).empty());
+  ISR_CHECK(!thesis.triangles.empty());
+  ISR_CHECK(f.smallest_radius() > .05 && f.smallest_radius() < .15);
+
+  begin_case("too many cells");
+  for (double step : { 1e-7, 1e-300, -1., std::numeric_limits<double>::infinity() })
+    try {
+      isr::linear_implicit_isosurface(f, thesis.points, thesis.triangles, step);
+      ISR_CHECK(!"exception");
+    } catch (const std::invalid_argument& e) {
+      ISR_CHECK(std::string(e.what()).find("step") == 0);
+    }
+  begin_case("no points");
+  Soup none;
+  isr::linear_implicit_isosurface(Function(Oriented_points(), oriented_maps()), none.points, none.triangles);
+  ISR_CHECK(none.triangles.empty());
+}
+
 } // namespace
 
 int main()
@@ -180,5 +224,6 @@ int main()
   test_close_sheets();
   test_copies_and_threads();
   test_few_samples();
+  test_isosurface();
   return result();
 }

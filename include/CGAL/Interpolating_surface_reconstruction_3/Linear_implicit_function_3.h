@@ -153,8 +153,36 @@ public:
     return m_data->cloud.traits().construct_vector_3_object()(FT(g.x()), FT(g.y()), FT(g.z()));
   }
 
+  /// returns the smallest mean radius of a star, or 0 if there are fewer than two points.
+  FT smallest_radius() const
+  {
+    const std::vector<double>& radii = m_data->pieces.radii();
+    return radii.empty() ? FT(0) : FT(m_data->cloud.global_length(*std::min_element(radii.begin(), radii.end())));
+  }
+
+  /// calls `visit(p)` for each point that is used.
+  template <typename Visit>
+  void for_each_point(Visit visit) const
+  {
+    for (internal::Point_index p = 0; p != m_data->cloud.size(); ++p)
+      visit(m_data->cloud.point(p));
+  }
+
+  /// returns the geometric traits.
+  const Traits& geom_traits() const { return m_data->cloud.traits(); }
+
   /// returns a bounding box of the points that are used.
   Bbox_3 bbox() const { return m_data->bbox; }
+
+  /// \cond SKIP_IN_MANUAL
+  double sum_of_squared_radii() const
+  {
+    double sum = 0.;
+    for (double radius : m_data->pieces.radii())
+      sum += m_data->cloud.global_length(radius) * m_data->cloud.global_length(radius);
+    return sum;
+  }
+  /// \endcond
 
 private:
   using Cloud = internal::Point_cloud_3<Traits>;
