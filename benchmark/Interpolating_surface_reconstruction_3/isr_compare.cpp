@@ -49,12 +49,13 @@ const char* const usage =
   "usage: isr_compare [options] FILE_OR_FOLDER...\n"
   "       isr_compare [options] --memory METHOD FILE\n"
   "\n"
-  "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference.\n"
+  "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference, and LIS gets its\n"
+  "normals.\n"
   "\n"
   "  --runs N                 runs of each method, alternating (default 3)\n"
-  "  --method af|ctc|pcr      run this method only; may be repeated\n"
-  "  --threads N              CTC and PCR with Parallel_tag on N threads (default: Sequential_tag)\n"
-  "  --keep-boundaries        CTC and PCR leave real boundaries open\n"
+  "  --method af|ctc|pcr|lis  run this method only; may be repeated\n"
+  "  --threads N              CTC, PCR and LIS with Parallel_tag on N threads (default: Sequential_tag)\n"
+  "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
   "  --no-metrics             no distances to the reference and no self-intersections\n"
   "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
   "  --csv FILE               write the rows to FILE as well\n"
@@ -102,8 +103,9 @@ Options parse(int argc, char** argv)
 void measure_memory(const Options& options)
 {
   const Model model = read_model(options.paths.front());
+  const std::vector<Kernel::Vector_3> normals = reference_normals(model);
   const Peak_memory memory;
-  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model.points, options.method);
+  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model, normals, options.method);
   const double bytes = static_cast<double>(memory.growth_in_bytes());
   std::cout << model.name << ' ' << name(options.methods.front()) << ": " << model.points.size() << " points, "
             << triangles.size() << " triangles, peak " << bytes / 1e6 << " MB above the points, "
@@ -130,12 +132,13 @@ void compare(const Model& model, const Options& options, Report& report)
   std::vector<std::vector<double> > seconds(n);
   std::vector<std::vector<Triangle> > triangles(n);
   std::vector<std::string> failures(n);
+  const std::vector<Kernel::Vector_3> normals = reference_normals(model);
   for (std::size_t run = 0; run != options.runs; ++run)
     for (std::size_t m = 0; m != n; ++m) {
       try {
         CGAL::Real_timer timer;
         timer.start();
-        std::vector<Triangle> result = reconstruct(options.methods[m], model.points, options.method);
+        std::vector<Triangle> result = reconstruct(options.methods[m], model, normals, options.method);
         seconds[m].push_back(timer.time());
         triangles[m].swap(result);
       } catch (const std::exception& e) {

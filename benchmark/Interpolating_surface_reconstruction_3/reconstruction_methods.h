@@ -15,10 +15,13 @@
 #include "model_files.h"
 
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/lis_reconstruction.h>
 #include <CGAL/pcr_reconstruction.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -26,17 +29,18 @@
 
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace isr_benchmark {
 
-enum class Method { AF, CTC, PCR };
+enum class Method { AF, CTC, PCR, LIS };
 
 inline const char* name(Method method)
 {
-  return method == Method::AF ? "AF" : method == Method::CTC ? "CTC" : "PCR";
+  return method == Method::AF ? "AF" : method == Method::CTC ? "CTC" : method == Method::PCR ? "PCR" : "LIS";
 }
 
 inline Method method_of_name(const std::string& text)
@@ -47,7 +51,9 @@ inline Method method_of_name(const std::string& text)
     return Method::CTC;
   if (text == "pcr" || text == "PCR")
     return Method::PCR;
-  throw std::invalid_argument("unknown method " + text + " (af, ctc, pcr)");
+  if (text == "lis" || text == "LIS")
+    return Method::LIS;
+  throw std::invalid_argument("unknown method " + text + " (af, ctc, pcr, lis)");
 }
 
 struct Method_options
@@ -67,7 +73,7 @@ inline std::vector<Triangle> advancing_front(const std::vector<Point>& points)
 }
 
 template <typename ConcurrencyTag>
-std::vector<Triangle> ours(Method method, const std::vector<Point>& points, const Method_options& options)
+std::vector<Triangle> charts(Method method, const std::vector<Point>& points, const Method_options& options)
 {
   const auto np = CGAL::parameters::keep_boundaries(options.keep_boundaries);
   std::vector<Triangle> triangles;
@@ -78,16 +84,66 @@ std::vector<Triangle> ours(Method method, const std::vector<Point>& points, cons
   return triangles;
 }
 
-inline std::vector<Triangle> reconstruct(Method method, const std::vector<Point>& points,
+// Area-weighted normals of the vertices of the reference, if there is one.
+inline std::vector<Kernel::Vector_3> reference_normals(const Model& model)
+{
+  std::vector<Kernel::Vector_3> normals;
+  if (model.triangles.empty())
+    return normals;
+  normals.assign(model.points.size(), CGAL::NULL_VECTOR);
+  for (const Triangle& t : model.triangles)
+    for (std::size_t v : t)
+      normals[v] = normals[v] + CGAL::cross_product(model.points[t[1]] - model.points[t[0]], model.points[t[2]] - model.points[t[0]]);
+  return normals;
+}
+
+// With the normals of the model, if it has any.
+template <typename ConcurrencyTag>
+std::vector<Triangle> lis(const Model& model, const std::vector<Kernel::Vector_3>& normals, const Method_options& options)
+{
+  namespace params = CGAL::parameters;
+  CGAL::Surface_mesh<Point> mesh;
+  if (normals.empty()) {
+    CGAL::lis_reconstruction<ConcurrencyTag>(model.points, mesh, params::keep_boundaries(options.keep_boundaries));
+  } else {
+    std::vector<std::size_t> samples(model.points.size());
+    std::iota(samples.begin(), samples.end(), std::size_t(0));
+    CGAL::lis_reconstruction<ConcurrencyTag>(
+      samples, mesh,
+      params::combine(params::keep_boundaries(options.keep_boundaries),
+                      params::point_map(CGAL::make_property_map(model.points)).normal_map(CGAL::make_property_map(normals))));
+  }
+  const auto input_index =
+    mesh.add_property_map<CGAL::Surface_mesh<Point>::Vertex_index, std::size_t>("v:input_index").first;
+  std::vector<Triangle> triangles;
+  for (const auto face : mesh.faces()) {
+    Triangle triangle;
+    std::size_t i = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+      triangle[i++] = input_index[v];
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+template <typename ConcurrencyTag>
+std::vector<Triangle> reconstruct_by(Method method, const Model& model, const std::vector<Kernel::Vector_3>& normals,
+                                     const Method_options& options)
+{
+  return method == Method::LIS ? lis<ConcurrencyTag>(model, normals, options)
+                               : charts<ConcurrencyTag>(method, model.points, options);
+}
+
+inline std::vector<Triangle> reconstruct(Method method, const Model& model, const std::vector<Kernel::Vector_3>& normals,
                                          const Method_options& options)
 {
   if (method == Method::AF)
-    return advancing_front(points);
+    return advancing_front(model.points);
   if (options.threads == 0)
-    return ours<CGAL::Sequential_tag>(method, points, options);
+    return reconstruct_by<CGAL::Sequential_tag>(method, model, normals, options);
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-  return ours<CGAL::Parallel_tag>(method, points, options);
+  return reconstruct_by<CGAL::Parallel_tag>(method, model, normals, options);
 #else
   throw std::invalid_argument("--threads: built without TBB");
 #endif

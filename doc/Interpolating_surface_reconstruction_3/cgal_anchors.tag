@@ -12,6 +12,8 @@
     <title>Package Overview</title>
     <filename>Manual/packages.html</filename>
     <docanchor file="Manual/packages.html">PkgAdvancingFrontSurfaceReconstruction</docanchor>
+    <docanchor file="Manual/packages.html">PkgIsosurfacing3</docanchor>
+    <docanchor file="Manual/packages.html">PkgMesh3</docanchor>
     <docanchor file="Manual/packages.html">PkgPoissonSurfaceReconstruction3</docanchor>
     <docanchor file="Manual/packages.html">PkgScaleSpaceReconstruction3</docanchor>
   </compound>

@@ -58,11 +58,13 @@ inline boost::program_options::options_description visible_options()
     ("keep-boundaries",
      "leave loops open that the sampling shows to be boundaries of the surface")
     ("maximum-hole-size", po::value<long long>()->value_name("N"),
-     "close only loops of at most N edges; 0 closes none (default: close all)")
+     "ctc: close only loops of at most N edges; 0 closes none (default: close all)")
+    ("grid-spacing", po::value<double>()->value_name("H"),
+     "lis: add vertices until no edge is longer than H, in the unit of the points (default: none)")
     ("neighbor-radius", po::value<double>()->value_name("R"),
      "connect no points farther apart than about R, in the unit of the points (default: no limit)")
     ("ignore-normals",
-     "do not orient the surface by the normals of the input, if it has any")
+     "do not use the normals of the input, if it has any")
     ("threads",
      po::value<long long>()->default_value(static_cast<long long>(default_threads()))->value_name("N"),
      "number of threads; the mesh does not depend on it")
@@ -95,6 +97,10 @@ to_reconstruction_options(const boost::program_options::variables_map& values)
       to_count("maximum-hole-size", values["maximum-hole-size"].as<long long>(), 0);
   if (values.count("neighbor-radius") != 0)
     options.neighbor_radius = values["neighbor-radius"].as<double>();
+  if (values.count("grid-spacing") != 0)
+    options.grid_spacing = values["grid-spacing"].as<double>();
+  if (!(options.grid_spacing >= 0.) || !std::isfinite(options.grid_spacing))
+    throw Failure(BAD_OPTION, "option '--grid-spacing' must be a finite number, at least 0");
   if (!(options.neighbor_radius >= 0.) || !std::isfinite(options.neighbor_radius))
     throw Failure(BAD_OPTION, "option '--neighbor-radius' must be a finite number, at least 0");
   options.threads = to_count("threads", values["threads"].as<long long>(), 1);
@@ -111,7 +117,8 @@ inline void print_help(std::ostream& out)
 {
   out << "Usage: isr_reconstruct INPUT OUTPUT [options]\n\n"
          "Connects the points of INPUT to a triangle mesh and writes it to OUTPUT. The vertices of\n"
-         "the mesh are points of the input, unchanged; edges have one or two triangles.\n\n"
+         "the mesh are points of the input, unchanged, unless --grid-spacing adds some; edges have one or\n"
+         "two triangles. Method lis needs normals, or estimates them.\n\n"
          "INPUT   points, by extension: " << point_file_extensions() << "\n"
          "        Of a mesh the vertices are read. Normals in the input orient the surface.\n"
          "OUTPUT  a mesh, by extension: " << mesh_file_extensions() << "\n"

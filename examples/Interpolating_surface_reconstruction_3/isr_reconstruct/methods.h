@@ -7,6 +7,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/lis_reconstruction.h>
 #include <CGAL/pcr_reconstruction.h>
 #include <CGAL/tags.h>
 
@@ -28,6 +29,7 @@ struct Reconstruction_options
   bool keep_boundaries = false;
   std::size_t maximum_hole_size = (std::numeric_limits<std::size_t>::max)();
   double neighbor_radius = 0.; // none
+  double grid_spacing = 0.;    // no finer than the points
   std::size_t threads = 1;
   bool use_normals = true;
 };
@@ -52,6 +54,11 @@ namespace internal {
 
 struct Ctc
 {
+  static auto parameters(const Reconstruction_options& options)
+  {
+    return CGAL::parameters::maximum_hole_size(options.maximum_hole_size);
+  }
+
   template <typename ConcurrencyTag, typename NamedParameters>
   static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
   {
@@ -61,10 +68,29 @@ struct Ctc
 
 struct Pcr
 {
+  static auto parameters(const Reconstruction_options& options)
+  {
+    return CGAL::parameters::maximum_hole_size(options.maximum_hole_size);
+  }
+
   template <typename ConcurrencyTag, typename NamedParameters>
   static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
   {
     return CGAL::pcr_reconstruction<ConcurrencyTag>(points, mesh, np);
+  }
+};
+
+struct Lis
+{
+  static auto parameters(const Reconstruction_options& options)
+  {
+    return CGAL::parameters::grid_spacing(options.grid_spacing);
+  }
+
+  template <typename ConcurrencyTag, typename NamedParameters>
+  static bool run(const Point_set& points, Mesh& mesh, const NamedParameters& np)
+  {
+    return CGAL::lis_reconstruction<ConcurrencyTag>(points, mesh, np);
   }
 };
 
@@ -89,7 +115,7 @@ bool run(const Point_set& points, Mesh& mesh, const Reconstruction_options& opti
 {
   namespace parameters = CGAL::parameters;
 
-  const auto np = parameters::combine(parameters::maximum_hole_size(options.maximum_hole_size),
+  const auto np = parameters::combine(Method::parameters(options),
                                       parameters::keep_boundaries(options.keep_boundaries),
                                       parameters::point_map(points.point_map())
                                         .neighbor_radius(options.neighbor_radius)
@@ -112,7 +138,8 @@ inline const std::map<std::string, internal::Method>& methods()
 {
   static const std::map<std::string, internal::Method> all = {
     { "ctc", internal::run<internal::Ctc> },
-    { "pcr", internal::run<internal::Pcr> }
+    { "pcr", internal::run<internal::Pcr> },
+    { "lis", internal::run<internal::Lis> }
   };
   return all;
 }

@@ -17,7 +17,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 
 namespace internal {
 
-// Where in the range of points each vertex of the mesh comes from. The map is taken off the mesh,
+// Where in the range of points each vertex of the mesh comes from; beyond the range if it was added. The map is taken off the mesh,
 // whose files then have the properties of the input and no other.
 inline std::vector<std::size_t> take_input_indices(Mesh& mesh)
 {
@@ -41,9 +41,10 @@ void copy_property(Point_set& points, const std::string& name,
     points.remove_property_map(source.first);
     return;
   }
-  auto target = mesh.add_property_map<Mesh::Vertex_index, T>(name).first;
+  auto target = mesh.add_property_map<Mesh::Vertex_index, T>(name, T()).first;
   for (Mesh::Vertex_index v : mesh.vertices())
-    target[v] = source.first[*(points.begin() + static_cast<std::ptrdiff_t>(input_indices[v]))];
+    if (input_indices[v] < points.size())
+      target[v] = source.first[*(points.begin() + static_cast<std::ptrdiff_t>(input_indices[v]))];
 }
 
 inline void copy_normals(const Point_set& points, const std::vector<std::size_t>& input_indices,
@@ -51,9 +52,10 @@ inline void copy_normals(const Point_set& points, const std::vector<std::size_t>
 {
   if (!points.has_normal_map())
     return;
-  auto normal = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  auto normal = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR).first;
   for (Mesh::Vertex_index v : mesh.vertices())
-    normal[v] = points.normal(*(points.begin() + static_cast<std::ptrdiff_t>(input_indices[v])));
+    if (input_indices[v] < points.size())
+      normal[v] = points.normal(*(points.begin() + static_cast<std::ptrdiff_t>(input_indices[v])));
 }
 
 } // namespace internal

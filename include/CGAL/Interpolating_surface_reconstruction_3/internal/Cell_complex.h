@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -50,23 +49,25 @@ public:
     std::array<Cell_index, 4> neighbors; // neighbor i is opposite to vertex i
   };
 
-  // `points` are distinct and close to each other in their order. There are no cells if they are coplanar,
-  // or if they have far more cells than the samples of a surface, which may be as many as the square of
-  // the points, as on a helix. `cancellation_point()` is called again and again and may throw.
+  // `points` are distinct. There are no cells if they are coplanar, or if they have far more cells than
+  // the samples of a surface, which may be as many as the square of the points, as on a helix.
+  // `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
-  Cell_complex(const std::vector<Local_point>& positions, const std::vector<Point_index>& points,
+  Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points,
                Cancellation_point& cancellation_point)
+    : m_points(std::move(points))
   {
+    std::sort(m_points.begin(), m_points.end());
     Delaunay delaunay;
     // Every second point of the ones left out so far joins in a round, the first round has few.
     std::size_t stride = 1;
-    while (points.size() / stride > POINTS_OF_FIRST_ROUND)
+    while (m_points.size() / stride > POINTS_OF_FIRST_ROUND)
       stride *= 2;
     for (bool is_first = true; stride != 0; stride /= 2, is_first = false) {
       Delaunay::Vertex_handle hint;
-      for (std::size_t i = is_first ? 0 : stride; i < points.size(); i += is_first ? stride : 2 * stride) {
+      for (std::size_t i = is_first ? 0 : stride; i < m_points.size(); i += is_first ? stride : 2 * stride) {
         cancellation_point();
-        hint = insert(delaunay, positions[points[i]], points[i], hint);
+        hint = insert(delaunay, positions[m_points[i]], static_cast<Point_index>(i), hint);
       }
       if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices())
         return;
@@ -76,11 +77,14 @@ public:
       copy_cells(delaunay, cancellation_point);
   }
 
-  Cell_complex(const std::vector<Local_point>& positions, const std::vector<Point_index>& points)
+  Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
   {
     No_cancellation cancellation_point;
-    *this = Cell_complex(positions, points, cancellation_point);
+    *this = Cell_complex(positions, std::move(points), cancellation_point);
   }
+
+  // The points that the cells may have as vertices, increasing.
+  const std::vector<Point_index>& points() const { return m_points; }
 
   std::size_t size() const { return m_cells.size(); }
   const Cell& operator[](std::size_t c) const { return m_cells[c]; }
@@ -91,10 +95,25 @@ public:
            cell.vertices[3] == NO_POINT;
   }
 
-  // The vertices of the facet opposite to vertex i.
+  static bool is_infinite(const std::array<Point_index, 3>& facet)
+  {
+    return facet[0] == NO_POINT || facet[1] == NO_POINT || facet[2] == NO_POINT;
+  }
+
+  // The vertices of the facet opposite to vertex i. Seen from outside of the cell, they are in
+  // counterclockwise order if i is even.
   static std::array<Point_index, 3> facet(const Cell& cell, std::size_t i)
   {
     return { { cell.vertices[(i + 1) & 3], cell.vertices[(i + 2) & 3], cell.vertices[(i + 3) & 3] } };
+  }
+
+  // The vertex of the cell that is not of the facet.
+  static Point_index apex(const Cell& cell, const std::array<Point_index, 3>& facet)
+  {
+    for (std::size_t i = 0; i != 3; ++i)
+      if (cell.vertices[i] != facet[0] && cell.vertices[i] != facet[1] && cell.vertices[i] != facet[2])
+        return cell.vertices[i];
+    return cell.vertices[3];
   }
 
 private:
@@ -121,37 +140,7 @@ private:
     return vertex;
   }
 
-  template <typename Cancellation_point>
-  void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
-  {
-    struct Sortable
-    {
-      std::array<Point_index, 4> key;
-      Delaunay::Cell_handle handle;
-    };
-    std::vector<Sortable> order;
-    order.reserve(delaunay.number_of_cells());
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
-      cancellation_point();
-      Sortable sortable{ vertices_of(delaunay, cell), cell };
-      std::sort(sortable.key.begin(), sortable.key.end());
-      order.push_back(sortable);
-    }
-    std::sort(order.begin(), order.end(), [&](const Sortable& a, const Sortable& b) {
-      cancellation_point();
-      return a.key < b.key;
-    });
-    for (std::size_t c = 0; c != order.size(); ++c)
-      order[c].handle->info() = static_cast<Cell_index>(c);
-    m_cells.resize(order.size());
-    for (std::size_t c = 0; c != order.size(); ++c) {
-      cancellation_point();
-      m_cells[c].vertices = vertices_of(delaunay, order[c].handle);
-      for (int i = 0; i != 4; ++i)
-        m_cells[c].neighbors[std::size_t(i)] = order[c].handle->neighbor(i)->info();
-    }
-  }
-
+  // The vertices of a cell as positions in m_points; NO_POINT if infinite.
   static std::array<Point_index, 4> vertices_of(const Delaunay& delaunay, Delaunay::Cell_handle cell)
   {
     std::array<Point_index, 4> result;
@@ -160,6 +149,56 @@ private:
     return result;
   }
 
+  template <typename Cancellation_point>
+  void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
+  {
+    const std::vector<Delaunay::Cell_handle> order = sorted_cells(delaunay, cancellation_point);
+    for (std::size_t c = 0; c != order.size(); ++c)
+      order[c]->info() = static_cast<Cell_index>(c);
+    m_cells.resize(order.size());
+    for (std::size_t c = 0; c != order.size(); ++c) {
+      cancellation_point();
+      m_cells[c].vertices = vertices_of(delaunay, order[c]);
+      for (std::size_t i = 0; i != 4; ++i) {
+        m_cells[c].neighbors[i] = order[c]->neighbor(int(i))->info();
+        if (m_cells[c].vertices[i] != NO_POINT)
+          m_cells[c].vertices[i] = m_points[m_cells[c].vertices[i]];
+      }
+    }
+  }
+
+  // The cells in lexicographic order of their increasing vertices: those with the same smallest
+  // vertex are few.
+  template <typename Cancellation_point>
+  std::vector<Delaunay::Cell_handle> sorted_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point) const
+  {
+    const auto key = [&](Delaunay::Cell_handle cell) {
+      std::array<Point_index, 4> result = vertices_of(delaunay, cell);
+      std::sort(result.begin(), result.end());
+      return result;
+    };
+    const auto smallest = [&](Delaunay::Cell_handle cell) {
+      const std::array<Point_index, 4> v = vertices_of(delaunay, cell);
+      return std::size_t((std::min)((std::min)(v[0], v[1]), (std::min)(v[2], v[3])));
+    };
+    std::vector<Cell_index> next(m_points.size() + 1, 0);
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+      ++next[smallest(cell) + 1];
+    for (std::size_t k = 0; k != m_points.size(); ++k)
+      next[k + 1] += next[k];
+    std::vector<Delaunay::Cell_handle> result(next.back());
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+      result[next[smallest(cell)]++] = cell;
+    const auto less = [&](Delaunay::Cell_handle a, Delaunay::Cell_handle b) {
+      cancellation_point();
+      return key(a) < key(b);
+    };
+    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k)
+      std::sort(result.begin() + std::ptrdiff_t(begin), result.begin() + std::ptrdiff_t(next[k]), less);
+    return result;
+  }
+
+  std::vector<Point_index> m_points; // increasing
   std::vector<Cell> m_cells;
 };
 

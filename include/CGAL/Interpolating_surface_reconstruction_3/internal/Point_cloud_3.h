@@ -41,13 +41,20 @@ template <typename Traits>
 class Point_cloud_3
 {
 public:
+  using Traits_class = Traits;
   using Point_3 = typename Traits::Point_3;
 
   template <typename PointRange, typename PointMap>
   Point_cloud_3(const PointRange& range, PointMap point_map, const Traits& traits)
+    : Point_cloud_3(range, point_map, traits, [](const auto&) { return true; })
+  { }
+
+  // Elements for which `is_usable(element)` is false are set aside like points that are not finite.
+  template <typename PointRange, typename PointMap, typename IsUsable>
+  Point_cloud_3(const PointRange& range, PointMap point_map, const Traits& traits, const IsUsable& is_usable)
     : m_traits(traits)
   {
-    copy_finite_points(range, point_map);
+    copy_finite_points(range, point_map, is_usable);
     set_local_coordinates();
     sort();
     merge_duplicates();
@@ -70,12 +77,31 @@ public:
     return length * m_scale.first * m_scale.second;
   }
 
+  // The inverse of length and point for measures; rounded.
+  double global_length(double length) const
+  {
+    return length / m_scale.first / m_scale.second;
+  }
+
+  Point_3 global_point(const Local_point& p) const
+  {
+    using FT = typename Traits::FT;
+    return m_traits.construct_point_3_object()(FT(global_length(p.x()) + m_shift[0]), FT(global_length(p.y()) + m_shift[1]),
+                                               FT(global_length(p.z()) + m_shift[2]));
+  }
+
+  // A point in the user's coordinates as a point for measures.
+  Local_point local_point(double x, double y, double z) const
+  {
+    return Local_point(local_length(x - m_shift[0]), local_length(y - m_shift[1]), local_length(z - m_shift[2]));
+  }
+
   std::size_t number_of_duplicates() const { return m_duplicates; }
   std::size_t number_of_non_finite_points() const { return m_non_finite; }
 
 private:
-  template <typename PointRange, typename PointMap>
-  void copy_finite_points(const PointRange& range, PointMap point_map)
+  template <typename PointRange, typename PointMap, typename IsUsable>
+  void copy_finite_points(const PointRange& range, PointMap point_map, const IsUsable& is_usable)
   {
     const auto begin_coordinates = m_traits.construct_cartesian_const_iterator_3_object();
     const std::size_t n = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
@@ -89,7 +115,7 @@ private:
       const Point_3& p = get(point_map, *it);
       auto c = begin_coordinates(p);
       const double x = CGAL::to_double(*c++), y = CGAL::to_double(*c++), z = CGAL::to_double(*c);
-      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || !is_usable(*it)) {
         ++m_non_finite;
         continue;
       }
@@ -108,12 +134,9 @@ private:
       // halved: the difference of finite numbers may overflow
       extent = (std::max)(extent, high[a] / 2 - low[a] / 2);
     m_scale = extent > 0. ? power_of_two(-std::ilogb(extent) - 1) : std::make_pair(1., 1.);
-    const std::array<double, 3> shift = { exact_shift(low[0], high[0]), exact_shift(low[1], high[1]),
-                                          exact_shift(low[2], high[2]) };
+    m_shift = { exact_shift(low[0], high[0]), exact_shift(low[1], high[1]), exact_shift(low[2], high[2]) };
     for (Local_point& p : m_positions)
-      p = Local_point(((p.x() - shift[0]) * m_scale.first) * m_scale.second,
-                      ((p.y() - shift[1]) * m_scale.first) * m_scale.second,
-                      ((p.z() - shift[2]) * m_scale.first) * m_scale.second);
+      p = local_point(p.x(), p.y(), p.z());
   }
 
   void bounding_box(std::array<double, 3>& low, std::array<double, 3>& high) const
@@ -192,6 +215,7 @@ private:
   std::vector<Point_3> m_points;
   std::vector<Local_point> m_positions;
   std::vector<Point_index> m_input_indices;
+  std::array<double, 3> m_shift;
   std::pair<double, double> m_scale;
   std::size_t m_duplicates = 0, m_non_finite = 0;
 };

@@ -15,13 +15,13 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -31,17 +31,24 @@ namespace internal {
 // Changes labels of cells until the surface between the labels is a manifold through all points of a
 // scope. At a point, the surface is a manifold if the cells of each label around the point are
 // connected by facets at the point and there are cells of both labels.
+template <typename Labelling>
 class Labelling_repair
 {
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`.
+  // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`. Points off
+  // the surface may get one of their own unless `keeps_components`.
   template <typename IsInScope>
-  Labelling_repair(const Cell_complex& cells, Cell_labelling& labelling, const IsInScope& is_in_scope, double maximum_loss)
-    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_position(cells.size(), 0)
+  Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
+                   bool keeps_components = false)
+    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components), m_cell_of(cells.points().size(), NO_CELL),
+      m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
   {
-    collect_vertices(is_in_scope);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (Point_index p : cells[c].vertices)
+        if (p != NO_POINT && is_in_scope(p))
+          m_cell_of[position_of(p)] = c;
   }
 
   // Returns the number of points at which the surface is no manifold in the end.
@@ -54,11 +61,10 @@ public:
   template <typename Cancellation_point>
   std::size_t operator()(Cancellation_point&& cancellation_point)
   {
-    m_defects.resize(m_points.size());
     std::vector<std::size_t> todo;
-    for (std::size_t v = m_points.size(); v-- != 0; ) {
+    for (std::size_t v = m_cell_of.size(); v-- != 0; ) {
       cancellation_point();
-      m_defects[v] = count_defects(v);
+      m_defects[v] = m_cell_of[v] == NO_CELL ? 0 : count_defects(v);
       if (m_defects[v] != 0)
         todo.push_back(v);
     }
@@ -72,15 +78,62 @@ public:
         if (m_defects[w] != 0)
           todo.push_back(w);
     }
-    return m_points.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
+    return m_defects.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
+  }
+
+  // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes the
+  // surface a manifold at all points of the scope that it still passes through, whatever it loses.
+  void enforce()
+  {
+    std::vector<unsigned char> changes(m_defects.size(), 0);
+    std::vector<std::size_t> todo;
+    for (std::size_t v = 0; v != m_defects.size(); ++v)
+      if (m_defects[v] != 0)
+        todo.push_back(v);
+    while (!todo.empty()) {
+      const std::size_t v = todo.back();
+      todo.pop_back();
+      if (find_components(v) <= 2)
+        continue;
+      // From some time on, cells only become inside, which ends with the convex hull.
+      flip(best_component(v, changes[v] == FREE_CHANGES));
+      if (changes[v] != FREE_CHANGES)
+        ++changes[v];
+      update_defects(m_best.cells);
+      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+    }
+  }
+
+  // To be called after operator(): changes the cells together and repairs what that breaks; takes it all
+  // back if defects remain that were not there before.
+  void change_unless_worse(std::vector<Cell_index> cells)
+  {
+    flip(cells);
+    int change = update_defects(cells);
+    std::vector<std::size_t> todo = m_touched;
+    while (!todo.empty()) {
+      const std::size_t v = todo.back();
+      todo.pop_back();
+      if (m_defects[v] == 0 || !improve(v))
+        continue;
+      change += m_best.defects;
+      cells.insert(cells.end(), m_best.cells.begin(), m_best.cells.end());
+      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+    }
+    if (change > 0) {
+      flip(cells);
+      update_defects(cells);
+    }
   }
 
 private:
-  static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
+  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
 
-  // A point has 27 cells in a random sample. One that has far more, such as the tip of a cone over a line
-  // of points, is left as it is: the moves at a point take time quadratic in its cells.
-  static constexpr std::size_t MAXIMUM_CELLS_AT_POINT = 256;
+  // Trying the cells around a point one by one takes the square of their number, which may be nearly
+  // that of all points.
+  static constexpr std::size_t MAXIMUM_SINGLE_CELLS = 256;
+
+  static constexpr unsigned char FREE_CHANGES = 5;
 
   // Cells to change together, and what that brings.
   struct Move
@@ -90,78 +143,67 @@ private:
     double gain;
   };
 
-  template <typename IsInScope>
-  void collect_vertices(const IsInScope& is_in_scope)
+  struct Star_cell
   {
-    for (std::size_t c = 0; c != m_cells.size(); ++c)
-      for (Point_index p : m_cells[c].vertices)
-        if (p != NO_POINT && is_in_scope(p))
-          m_points.push_back(p);
-    std::sort(m_points.begin(), m_points.end());
-    keep_points_of_few_cells();
-    m_begin.assign(m_points.size() + 1, 0);
-    m_cell_vertices.resize(m_cells.size());
-    for (std::size_t c = 0; c != m_cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        const auto it = std::lower_bound(m_points.begin(), m_points.end(), m_cells[c].vertices[i]);
-        const bool is_found = it != m_points.end() && *it == m_cells[c].vertices[i];
-        m_cell_vertices[c][i] = is_found ? std::size_t(it - m_points.begin()) : NONE;
-        if (is_found)
-          ++m_begin[m_cell_vertices[c][i] + 1];
-      }
-    for (std::size_t v = 0; v != m_points.size(); ++v)
-      m_begin[v + 1] += m_begin[v];
-    m_around.resize(m_begin.back());
-    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
-    for (std::size_t c = 0; c != m_cells.size(); ++c)
-      for (std::size_t v : m_cell_vertices[c])
-        if (v != NONE)
-          m_around[next[v]++] = static_cast<Cell_index>(c);
+    Cell_index cell;
+    std::uint32_t component;
+    bool operator<(const Star_cell& other) const { return cell < other.cell; }
+  };
+
+  std::size_t position_of(Point_index p) const
+  {
+    const std::vector<Point_index>& points = m_cells.points();
+    if (p < points.size() && points[p] == p)
+      return p;
+    return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
   }
 
-  // `m_points` has every point once for each of its cells, and then once if it stays.
-  void keep_points_of_few_cells()
-  {
-    std::size_t kept = 0;
-    for (std::size_t begin = 0, end = 0; begin != m_points.size(); begin = end) {
-      while (end != m_points.size() && m_points[end] == m_points[begin])
-        ++end;
-      if (end - begin <= MAXIMUM_CELLS_AT_POINT)
-        m_points[kept++] = m_points[begin];
-    }
-    m_points.resize(kept);
-  }
-
-  // Finds the components of equal labels around vertex v: m_component[k] for the k-th cell around it.
+  // Finds the components of equal labels around vertex v; m_star gets the cells around it.
   std::size_t find_components(std::size_t v)
   {
-    const std::size_t size = m_begin[v + 1] - m_begin[v];
-    m_component.assign(size, NONE);
-    for (std::size_t k = 0; k != size; ++k)
-      m_position[m_around[m_begin[v] + k]] = k;
-    std::size_t components = 0;
-    for (std::size_t k = 0; k != size; ++k) {
-      if (m_component[k] != NONE)
+    const Point_index p = m_cells.points()[v];
+    std::uint32_t components = 0;
+    ++m_stamp;
+    m_star.clear();
+    m_seeds.assign(1, m_cell_of[v]);
+    while (!m_seeds.empty()) {
+      const Cell_index seed = m_seeds.back();
+      m_seeds.pop_back();
+      if (m_mark[seed] == m_stamp)
         continue;
-      m_component[k] = components;
-      m_stack.assign(1, k);
+      m_mark[seed] = m_stamp;
+      m_stack.assign(1, seed);
       while (!m_stack.empty()) {
-        const Cell_index c = m_around[m_begin[v] + m_stack.back()];
+        const Cell_index c = m_stack.back();
         m_stack.pop_back();
+        m_star.push_back(Star_cell{ c, components });
         for (std::size_t i = 0; i != 4; ++i) {
-          if (m_cell_vertices[c][i] == v)
-            continue;
           const Cell_index n = m_cells[c].neighbors[i];
-          const std::size_t position = m_position[n];
-          if (m_component[position] == NONE && m_labelling.label(n) == m_labelling.label(c)) {
-            m_component[position] = components;
-            m_stack.push_back(position);
+          if (m_cells[c].vertices[i] == p || m_mark[n] == m_stamp)
+            continue;
+          if (m_labelling.label(n) == m_labelling.label(c)) {
+            m_mark[n] = m_stamp;
+            m_stack.push_back(n);
+          } else {
+            m_seeds.push_back(n);
           }
         }
       }
       ++components;
     }
     return components;
+  }
+
+  // The cells of each component around v, which find_components() has found, in the order of their
+  // smallest cells.
+  std::vector<std::vector<Cell_index> > components_of_star(std::size_t components)
+  {
+    std::sort(m_star.begin(), m_star.end());
+    std::vector<std::vector<Cell_index> > result(components);
+    for (const Star_cell& c : m_star)
+      result[c.component].push_back(c.cell);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
@@ -176,22 +218,21 @@ private:
   bool improve(std::size_t v)
   {
     m_best = Move{ {}, 0, 0. };
-    const std::size_t components = find_components(v);
-    const std::size_t size = m_begin[v + 1] - m_begin[v];
-    std::vector<std::vector<Cell_index> > moves(components);
-    for (std::size_t k = 0; k != size; ++k)
-      moves[m_component[k]].push_back(m_around[m_begin[v] + k]);
-    for (std::size_t k = 0; k != size; ++k)
-      if (moves[m_component[k]].size() > 1)
-        moves.push_back({ m_around[m_begin[v] + k] });
+    std::vector<std::vector<Cell_index> > moves = components_of_star(find_components(v));
+    if (m_star.size() <= MAXIMUM_SINGLE_CELLS) {
+      std::vector<std::size_t> size_of_component(moves.size(), 0);
+      for (const Star_cell& c : m_star)
+        ++size_of_component[c.component];
+      for (const Star_cell& c : m_star)
+        if (size_of_component[c.component] > 1)
+          moves.push_back({ c.cell });
+    }
     for (const std::vector<Cell_index>& cells : moves)
       try_move(v, cells);
     if (m_best.cells.empty())
       return false;
     flip(m_best.cells);
-    find_touched(m_best.cells);
-    for (std::size_t w : m_touched)
-      m_defects[w] = count_defects(w);
+    update_defects(m_best.cells);
     return true;
   }
 
@@ -201,46 +242,99 @@ private:
       m_labelling.flip(c);
   }
 
+  bool is_at_surface(const std::vector<Cell_index>& cells) const
+  {
+    for (Cell_index c : cells)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_labelling.is_surface(c, i))
+          return true;
+    return false;
+  }
+
+  // What the sum of the weights wins if all the cells change.
+  double gain(const std::vector<Cell_index>& cells)
+  {
+    double result = 0.;
+    for (Cell_index c : cells) {
+      result += m_labelling.gain(c);
+      m_labelling.flip(c);
+    }
+    flip(cells);
+    return result;
+  }
+
   // The vertices of the cells that are in the scope.
   void find_touched(const std::vector<Cell_index>& cells)
   {
     m_touched.clear();
     for (Cell_index c : cells)
-      for (std::size_t w : m_cell_vertices[c])
-        if (w != NONE)
-          m_touched.push_back(w);
+      for (Point_index p : m_cells[c].vertices)
+        if (p != NO_POINT && m_cell_of[position_of(p)] != NO_CELL)
+          m_touched.push_back(position_of(p));
     std::sort(m_touched.begin(), m_touched.end());
     m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+  }
+
+  // Counts the defects at the vertices of cells that have changed; returns by how many there are more.
+  int update_defects(const std::vector<Cell_index>& cells)
+  {
+    int change = 0;
+    find_touched(cells);
+    for (std::size_t v : m_touched) {
+      const int defects = count_defects(v);
+      change += defects - m_defects[v];
+      m_defects[v] = defects;
+    }
+    return change;
   }
 
   // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
   void try_move(std::size_t v, const std::vector<Cell_index>& cells)
   {
-    double gain = 0.;
-    for (Cell_index c : cells) {
-      gain += m_labelling.gain(c);
-      m_labelling.flip(c);
-    }
-    if (gain > -m_maximum_loss && count_defects(v) < m_defects[v]) {
+    const double g = gain(cells);
+    if (!(g > -m_maximum_loss) || (m_keeps_components && !is_at_surface(cells)))
+      return;
+    flip(cells);
+    if (count_defects(v) < m_defects[v]) {
       find_touched(cells);
       int change = 0;
       for (std::size_t w : m_touched)
         change += count_defects(w) - m_defects[w];
-      if (change < 0 && (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && gain > m_best.gain)))
-        m_best = Move{ cells, change, gain };
+      if (change < 0 && (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && g > m_best.gain)))
+        m_best = Move{ cells, change, g };
     }
     flip(cells);
   }
 
+  // The finite cells of the component around v whose change wins most, or loses least; only of
+  // components with label 0 if `is_filling`. find_components() has found more than two of them.
+  const std::vector<Cell_index>& best_component(std::size_t v, bool is_filling)
+  {
+    m_best = Move{ {}, 0, 0. };
+    for (std::vector<Cell_index>& cells : components_of_star(find_components(v))) {
+      const bool label = m_labelling.label(cells.front());
+      cells.erase(std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
+                  cells.end());
+      if (cells.empty() || (is_filling && label))
+        continue;
+      const double g = gain(cells);
+      if (m_best.cells.empty() || g > m_best.gain)
+        m_best = Move{ cells, 0, g };
+    }
+    return m_best.cells;
+  }
+
   const Cell_complex& m_cells;
-  Cell_labelling& m_labelling;
+  Labelling& m_labelling;
   double m_maximum_loss;
-  std::vector<Point_index> m_points;                            // of the scope, increasing
-  std::vector<std::size_t> m_begin;                             // cells around each point, in m_around
-  std::vector<Cell_index> m_around;
-  std::vector<std::array<std::size_t, 4> > m_cell_vertices;     // positions in m_points, or NONE
-  std::vector<std::size_t> m_position, m_component, m_stack, m_touched;
-  std::vector<int> m_defects;                                   // of each point of the scope
+  bool m_keeps_components;
+  std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope, else NO_CELL
+  std::vector<int> m_defects;         // of each point, 0 out of the scope
+  std::vector<std::uint32_t> m_mark;  // of each cell: the last search that reached it
+  std::uint32_t m_stamp = 0;
+  std::vector<Star_cell> m_star;      // of the last search
+  std::vector<Cell_index> m_seeds, m_stack;
+  std::vector<std::size_t> m_touched;
   Move m_best;
 };
 

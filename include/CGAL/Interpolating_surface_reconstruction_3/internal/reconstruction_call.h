@@ -105,6 +105,20 @@ bool is_usable(const NormalMap& normal_map)
     return true;
 }
 
+// A given normal at unit length, or zero if it is zero or not finite.
+template <typename Vector, typename Traits>
+Local_vector unit_normal(const Vector& normal, const Traits& traits)
+{
+  auto c = traits.construct_cartesian_const_iterator_3_object()(normal);
+  const double x = CGAL::to_double(*c++), y = CGAL::to_double(*c++), z = CGAL::to_double(*c);
+  // divided first: the square of a finite number may overflow or vanish
+  const double largest = (std::max)({ std::abs(x), std::abs(y), std::abs(z) });
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || largest == 0.)
+    return Local_vector(0, 0, 0);
+  const Local_vector v(x / largest, y / largest, z / largest);
+  return v / std::sqrt(v.squared_length());
+}
+
 // Given normals in the order of the cloud; one that is not finite counts as none.
 template <typename PointRange, typename NormalMap, typename Cloud>
 std::vector<Local_vector> read_normals(const PointRange& points, NormalMap normal_map, const Cloud& cloud)
@@ -117,21 +131,10 @@ std::vector<Local_vector> read_normals(const PointRange& points, NormalMap norma
   std::vector<Point_index> cloud_index(n, NO_POINT);
   for (Point_index p = 0; p != cloud.size(); ++p)
     cloud_index[cloud.input_index(p)] = p;
-  const auto begin_coordinates = cloud.traits().construct_cartesian_const_iterator_3_object();
   std::size_t i = 0;
-  for (auto it = points.begin(); it != points.end(); ++it, ++i) {
-    if (cloud_index[i] == NO_POINT)
-      continue;
-    const auto& normal = get(normal_map, *it);
-    auto c = begin_coordinates(normal);
-    const double x = CGAL::to_double(*c++), y = CGAL::to_double(*c++), z = CGAL::to_double(*c);
-    // divided first: the square of a finite number may overflow or vanish
-    const double largest = (std::max)({ std::abs(x), std::abs(y), std::abs(z) });
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || largest == 0.)
-      continue;
-    const Local_vector v(x / largest, y / largest, z / largest);
-    normals[cloud_index[i]] = v / std::sqrt(v.squared_length());
-  }
+  for (auto it = points.begin(); it != points.end(); ++it, ++i)
+    if (cloud_index[i] != NO_POINT)
+      normals[cloud_index[i]] = unit_normal(get(normal_map, *it), cloud.traits());
   return normals;
 }
 

@@ -1,0 +1,119 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTED_LABELLING_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTED_LABELLING_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Inside and outside labels for the cells of a Delaunay triangulation whose vertices have normals.
+// The labels follow the signs of a function, and the surface between them has an energy: its area, in
+// which a facet counts the less the better it faces along the normals of its vertices, and for each
+// cell labelled against its sign the area of its facets times the absolute value of the function.
+class Oriented_labelling
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+
+  // `values` are negative inside; unit normals point outside.
+  Oriented_labelling(const Cell_complex& cells, const std::vector<Local_point>& positions,
+                     const std::vector<Local_vector>& normals, std::vector<float> values)
+    : m_cells(cells), m_positions(positions), m_normals(normals), m_values(std::move(values)), m_labels(cells.size())
+  {
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      m_labels[c] = wants_inside(c) ? 1 : 0;
+  }
+
+  bool label(Cell_index c) const { return m_labels[c] != 0; }
+  void flip(Cell_index c) { m_labels[c] ^= 1; }
+  bool is_surface(Cell_index c, std::size_t i) const { return m_labels[c] != m_labels[m_cells[c].neighbors[i]]; }
+
+  // What facet i counts if it is a surface with its cell inside, or outside.
+  struct Facet_energy { double if_inside, if_outside, area; };
+
+  Facet_energy facet_energy(Cell_index c, std::size_t i) const
+  {
+    const auto f = Cell_complex::facet(m_cells[c], i);
+    const Local_vector area_vector = (i % 2 == 0 ? .5 : -.5) * normal_of(f);
+    const double area = std::sqrt(area_vector.squared_length());
+    const double along = area_vector * (m_normals[f[0]] + m_normals[f[1]] + m_normals[f[2]]) / 3;
+    return Facet_energy{ area - along, area + along, area };
+  }
+
+  // Negative if the cell wants to be inside, in units of area.
+  double outside_preference(Cell_index c, double total_area) const { return double(m_values[c]) * total_area; }
+
+  // By what the energy falls if the cell changes its label. Infinite cells stay outside.
+  double gain(Cell_index c) const
+  {
+    if (Cell_complex::is_infinite(m_cells[c]))
+      return -std::numeric_limits<double>::infinity();
+    double result = 0., total_area = 0.;
+    for (std::size_t i = 0; i != 4; ++i) {
+      const Facet_energy energy = facet_energy(c, i);
+      if (is_surface(c, i))
+        result += label(c) ? energy.if_inside : energy.if_outside;
+      else
+        result -= label(c) ? energy.if_outside : energy.if_inside;
+      total_area += energy.area;
+    }
+    const double preference = outside_preference(c, total_area);
+    return result + (label(c) ? preference : -preference);
+  }
+
+  double smallest_gain(Cell_index c) const
+  {
+    double total = 0.;
+    for (std::size_t i = 0; i != 4; ++i) {
+      const auto f = Cell_complex::facet(m_cells[c], i);
+      if (!Cell_complex::is_infinite(f))
+        total += normal_of(f).squared_length();
+    }
+    return ROUNDING * std::sqrt(total);
+  }
+
+private:
+  // Gains below this part of the area are rounding errors.
+  static constexpr double ROUNDING = 1e-9;
+
+  bool wants_inside(Cell_index c) const { return m_values[c] < 0.f; }
+
+  Local_vector normal_of(const std::array<Point_index, 3>& f) const
+  {
+    return cross_product(m_positions[f[1]] - m_positions[f[0]], m_positions[f[2]] - m_positions[f[0]]);
+  }
+
+  const Cell_complex& m_cells;
+  const std::vector<Local_point>& m_positions;
+  const std::vector<Local_vector>& m_normals;
+  std::vector<float> m_values;
+  std::vector<unsigned char> m_labels;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_ORIENTED_LABELLING_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_MINIMUM_CUT_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_MINIMUM_CUT_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+
+// gcc cannot tell that the iterators in these headers are set before they are read.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Changes the labels of many cells together where the surface faces against the normals of its
+// vertices: where sheets are closer than the spacing, the averaged normals at a crease may label a
+// passage between them inside, and no single cell opens it. The labels of the cells around such facets
+// that have the least energy are a minimum cut. The values of the function are what is wrong there, so
+// that they count little.
+class Label_minimum_cut
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+
+  Label_minimum_cut(const Cell_complex& cells, Oriented_labelling& labelling)
+    : m_cells(cells), m_labelling(labelling), m_node_of(cells.size(), OUT)
+  { }
+
+  // Keeps what makes no more points irregular.
+  template <typename Repair>
+  void operator()(Repair& repair)
+  {
+    const std::vector<Cell_index> cells = find_cells();
+    for (Cell_index c : cells)
+      if (m_node_of[c] == IN) {
+        collect_region(c);
+        for (const std::vector<Cell_index>& changes : cut())
+          repair.change_unless_worse(changes);
+      }
+  }
+
+private:
+  using Graph_traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+  struct Node
+  {
+    boost::default_color_type color;
+    double distance;
+    Graph_traits::edge_descriptor predecessor;
+  };
+  struct Arc { double capacity, residual; Graph_traits::edge_descriptor reverse; };
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
+
+  static constexpr std::uint32_t OUT = static_cast<std::uint32_t>(-1), IN = OUT - 1;
+
+  // Rings of cells around a facet that are free to change: enough for the corner of a passage.
+  static constexpr int RINGS = 6;
+
+  // Between a facet and its vertices. At the corner of a cube it is 1 / sqrt(3).
+  static constexpr double SMALLEST_COSINE = .3;
+
+  static constexpr double VALUE_SHARE = .1;
+
+  bool faces_against_normals(Cell_index c, std::size_t i) const
+  {
+    const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
+    return energy.if_inside > (1. - SMALLEST_COSINE) * energy.area;
+  }
+
+  // The finite cells around facets that face against the normals.
+  std::vector<Cell_index> find_cells()
+  {
+    std::vector<Cell_index> result;
+    const auto add = [&](Cell_index c) {
+      if (m_node_of[c] == OUT && !Cell_complex::is_infinite(m_cells[c])) {
+        m_node_of[c] = IN;
+        result.push_back(c);
+      }
+    };
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_labelling.label(c) && m_labelling.is_surface(c, i) && faces_against_normals(c, i)) {
+          add(c);
+          add(m_cells[c].neighbors[i]);
+        }
+    std::size_t begin = 0;
+    for (int ring = 0; ring != RINGS; ++ring) {
+      const std::size_t end = result.size();
+      for (; begin != end; ++begin)
+        for (Cell_index n : m_cells[result[begin]].neighbors)
+          add(n);
+    }
+    return result;
+  }
+
+  // The connected cells get numbers as nodes.
+  void collect_region(Cell_index first)
+  {
+    m_region.assign(1, first);
+    m_node_of[first] = 0;
+    for (std::size_t k = 0; k != m_region.size(); ++k)
+      for (Cell_index n : m_cells[m_region[k]].neighbors)
+        if (m_node_of[n] == IN) {
+          m_node_of[n] = static_cast<std::uint32_t>(m_region.size());
+          m_region.push_back(n);
+        }
+  }
+
+  // The cells of the region that the cut labels otherwise, by connected parts.
+  std::vector<std::vector<Cell_index> > cut()
+  {
+    const std::size_t inside = m_region.size(), outside = inside + 1;
+    Graph graph(m_region.size() + 2);
+    for (std::size_t k = 0; k != m_region.size(); ++k) {
+      const Cell_index c = m_region[k];
+      double total_area = 0., to_inside = 0., to_outside = 0.;
+      for (std::size_t i = 0; i != 4; ++i) {
+        const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
+        const Cell_index n = m_cells[c].neighbors[i];
+        total_area += energy.area;
+        if (m_node_of[n] >= IN)
+          (m_labelling.label(n) ? to_inside : to_outside) += m_labelling.label(n) ? energy.if_outside : energy.if_inside;
+        else if (m_node_of[n] > k)
+          connect(graph, k, m_node_of[n], energy.if_inside, energy.if_outside);
+      }
+      const double preference = VALUE_SHARE * m_labelling.outside_preference(c, total_area);
+      connect(graph, inside, k, to_inside + (std::max)(-preference, 0.), 0.);
+      connect(graph, k, outside, to_outside + (std::max)(preference, 0.), 0.);
+    }
+    boost::boykov_kolmogorov_max_flow(graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
+                                      boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
+                                      boost::get(&Node::color, graph), boost::get(&Node::distance, graph),
+                                      boost::get(boost::vertex_index, graph), inside, outside);
+    for (std::size_t k = 0; k != m_region.size(); ++k)
+      m_node_of[m_region[k]] = (graph[k].color == graph[inside].color) != m_labelling.label(m_region[k]) ? IN : OUT;
+    return connected_parts();
+  }
+
+  // Of the cells of the region that are IN, which become OUT.
+  std::vector<std::vector<Cell_index> > connected_parts()
+  {
+    std::vector<std::vector<Cell_index> > parts;
+    for (Cell_index c : m_region) {
+      if (m_node_of[c] != IN)
+        continue;
+      std::vector<Cell_index> part(1, c);
+      m_node_of[c] = OUT;
+      for (std::size_t k = 0; k != part.size(); ++k)
+        for (Cell_index n : m_cells[part[k]].neighbors)
+          if (m_node_of[n] == IN) {
+            m_node_of[n] = OUT;
+            part.push_back(n);
+          }
+      parts.push_back(part);
+    }
+    return parts;
+  }
+
+  static void connect(Graph& graph, std::size_t from, std::size_t to, double capacity, double reverse_capacity)
+  {
+    const auto arc = boost::add_edge(from, to, graph).first, reverse = boost::add_edge(to, from, graph).first;
+    graph[arc] = Arc{ capacity, 0., reverse };
+    graph[reverse] = Arc{ reverse_capacity, 0., arc };
+  }
+
+  const Cell_complex& m_cells;
+  Oriented_labelling& m_labelling;
+  std::vector<std::uint32_t> m_node_of; // number in the region, IN: waits for its region, OUT: stays
+  std::vector<Cell_index> m_region;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_MINIMUM_CUT_H

@@ -1,0 +1,229 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// The function: zero at the samples, signs, gradients, weights, copies and threads.
+
+#include "isr_test_lis.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_isosurface.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+using namespace isr_test;
+using Function = isr::Linear_implicit_function_3<Kernel>;
+using Thesis_function = isr::Linear_implicit_function_3<Kernel, isr::Quadratic_weight>;
+
+namespace {
+
+Vector from_origin(const Point& p) { return p - CGAL::ORIGIN; }
+
+Oriented_points sphere() { return with_normals(sphere_fibonacci(2000).points, from_origin); }
+
+template <typename F>
+double largest_value(const F& f, const Points& points)
+{
+  double result = 0.;
+  for (const Point& p : points)
+    result = (std::max)(result, std::abs(f(p)));
+  return result;
+}
+
+void test_interpolation()
+{
+  begin_case("zero at the samples, with the normal as gradient");
+  const Oriented_points samples = sphere();
+  const Function f(samples, oriented_maps());
+  ISR_CHECK(largest_value(f, positions_of(samples)) < 1e-9);
+  for (const Oriented_point& s : samples)
+    ISR_CHECK((f.gradient(s.first) - s.second).squared_length() < 1e-18);
+  // ... and beside them
+  for (std::size_t i = 0; i < samples.size(); i += 7)
+    ISR_CHECK(std::abs(f(samples[i].first + Vector(1e-9, 1e-9, 0))) < 1e-8);
+
+  begin_case("in other units, far from the origin");
+  Oriented_points moved = samples;
+  for (Oriented_point& s : moved)
+    s.first = Point(std::ldexp(s.first.x(), -10) + 4096., std::ldexp(s.first.y(), -10), std::ldexp(s.first.z(), -10));
+  const Function g(moved, oriented_maps());
+  ISR_CHECK(largest_value(g, positions_of(moved)) < 1e-12);
+  // the moved coordinates are rounded
+  ISR_CHECK(std::abs(g(Point(4096., 0, 0)) - std::ldexp(f(Point(0, 0, 0)), -10)) < 1e-5);
+
+  begin_case("the weight of the thesis does not interpolate");
+  const Thesis_function thesis(samples, oriented_maps());
+  const double error = largest_value(thesis, positions_of(samples));
+  ISR_CHECK(error > 1e-5 && error < .01);
+}
+
+void test_distance()
+{
+  begin_case("height over a sphere");
+  const Function f(sphere(), oriented_maps());
+  Random random(3);
+  for (int i = 0; i != 300; ++i) {
+    const Vector direction = random.unit();
+    for (double r : { .5, .9, .99, 1., 1.01, 1.1, 2. })
+      ISR_CHECK(std::abs(f(CGAL::ORIGIN + r * direction) - (r - 1.)) < .01);
+  }
+  const CGAL::Bbox_3 box = f.bbox();
+  ISR_CHECK(box.xmin() < -.99 && box.xmin() >= -1. && box.zmax() > .99 && box.zmax() <= 1.);
+}
+
+void test_gradient()
+{
+  begin_case("gradient against differences");
+  const Function f(with_normals(torus(50, 20, .2, 3).points, normal_of_torus), oriented_maps());
+  Random random(4);
+  std::size_t wrong = 0;
+  constexpr int POINTS = 500;
+  constexpr double h = 1e-6;
+  for (int i = 0; i != POINTS; ++i) {
+    const Point p = Point(1.4, 0, 0) + random.in_cube(.1);
+    const Vector differences((f(p + Vector(h, 0, 0)) - f(p - Vector(h, 0, 0))) / (2 * h),
+                             (f(p + Vector(0, h, 0)) - f(p - Vector(0, h, 0))) / (2 * h),
+                             (f(p + Vector(0, 0, h)) - f(p - Vector(0, 0, h))) / (2 * h));
+    wrong += (differences - f.gradient(p)).squared_length() > 1e-8 ? 1u : 0u;
+  }
+  // where the nearest sample changes, the function jumps
+  ISR_CHECK(wrong < POINTS / 100);
+}
+
+void test_close_sheets()
+{
+  begin_case("plates half a spacing apart");
+  // the upper side of the lower plate, and the lower side of the upper one
+  Oriented_points samples;
+  for (const Point& p : plane_grid(20).points) {
+    samples.emplace_back(p, Vector(0, 0, 1));
+    samples.emplace_back(p + Vector(0, 0, .5), Vector(0, 0, -1));
+  }
+  const Function f(samples, oriented_maps());
+  const Thesis_function thesis(samples, oriented_maps());
+  double error = 0., error_of_thesis = 0.;
+  for (double x = 5.; x < 15.; x += .37)
+    for (double z : { .05, .1, .2, .3, .4 }) {
+      const double height = (std::min)(z, .5 - z);
+      error = (std::max)(error, std::abs(f(Point(x, x + .3, z)) - height));
+      error_of_thesis = (std::max)(error_of_thesis, std::abs(thesis(Point(x, x + .3, z)) - height));
+    }
+  ISR_CHECK(error < 1e-9);
+  ISR_CHECK(error_of_thesis > .05);
+}
+
+void test_copies_and_threads()
+{
+  begin_case("copies and threads");
+  const Function* original = new Function(sphere(), oriented_maps());
+  const Function f = *original;
+  delete original;
+  Points points = random_cube(2000, 5);
+  std::vector<double> expected, found(points.size());
+  for (const Point& p : points)
+    expected.push_back(f(p));
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t != 4; ++t)
+    threads.emplace_back([&, t] {
+      for (std::size_t i = t; i < points.size(); i += 4)
+        found[i] = f(points[i]);
+    });
+  for (std::thread& t : threads)
+    t.join();
+  ISR_CHECK(found == expected);
+}
+
+void test_few_samples()
+{
+  begin_case("few samples");
+  const Function empty(Oriented_points(), oriented_maps());
+  ISR_CHECK_EQUAL(empty(Point(1, 2, 3)), 1.);
+  ISR_CHECK(empty.gradient(Point(1, 2, 3)) == Vector(0, 0, 0));
+  for (std::size_t n : { 1u, 2u, 3u }) {
+    const Points line = { Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0) };
+    Oriented_points samples = with_normals(line, [](const Point&) { return Vector(0, 0, 3); });
+    samples.resize(n);
+    const Function f(samples, oriented_maps());
+    ISR_CHECK_EQUAL(f(Point(.5, 7, 2)), 2.);
+    ISR_CHECK_EQUAL(f(Point(0, 0, 0)), 0.);
+  }
+  begin_case("without normals");
+  const Function f(sphere_fibonacci(500).points);
+  ISR_CHECK(f(Point(0, 0, 0)) < -.9);
+  ISR_CHECK(f(Point(0, 0, 2)) > .9);
+  begin_case("bad radius");
+  try {
+    const Function g(sphere_fibonacci(50).points, params::neighbor_radius(-1.));
+    ISR_CHECK(!"exception");
+  } catch (const std::invalid_argument& e) {
+    ISR_CHECK(std::string(e.what()).find("neighbor_radius") != std::string::npos);
+  }
+}
+
+void test_isosurface()
+{
+  begin_case("isosurface of a torus");
+  const Oriented_points samples = with_normals(torus(60, 24, .2, 3).points, normal_of_torus);
+  const auto distance = [](const Point& p) {
+    const double r = std::sqrt(p.x() * p.x() + p.y() * p.y()) - 1.;
+    return std::abs(std::sqrt(r * r + p.z() * p.z()) - .4);
+  };
+  Soup soup;
+  isr::linear_implicit_isosurface(Function(samples, oriented_maps()), soup.points, soup.triangles, .05);
+  ISR_CHECK(validation::are_indices_valid(soup.triangles, soup.points.size()));
+  ISR_CHECK(validation::is_vertex_manifold(soup.triangles));
+  ISR_CHECK(validation::is_consistently_oriented(soup.triangles));
+  ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(soup.triangles), 0);
+  ISR_CHECK_EQUAL(validation::number_of_components(soup.triangles), 1u);
+  ISR_CHECK(are_outward(soup.points, soup.triangles));
+  for (const Point& p : soup.points)
+    ISR_CHECK(distance(p) < .02);
+
+  begin_case("the method of the thesis: weights and default step");
+  Soup thesis;
+  const Thesis_function f(samples, oriented_maps());
+  isr::linear_implicit_isosurface(f, thesis.points, thesis.triangles);
+  ISR_CHECK(validation::is_vertex_manifold(thesis.triangles));
+  ISR_CHECK(validation::boundary_edges(thesis.triangles).empty());
+  ISR_CHECK(!thesis.triangles.empty());
+  ISR_CHECK(f.smallest_radius() > .05 && f.smallest_radius() < .15);
+
+  begin_case("too many cells");
+  for (double step : { 1e-7, 1e-300, -1., std::numeric_limits<double>::infinity() })
+    try {
+      isr::linear_implicit_isosurface(f, thesis.points, thesis.triangles, step);
+      ISR_CHECK(!"exception");
+    } catch (const std::invalid_argument& e) {
+      ISR_CHECK(std::string(e.what()).find("step") == 0);
+    }
+  begin_case("no points");
+  Soup none;
+  isr::linear_implicit_isosurface(Function(Oriented_points(), oriented_maps()), none.points, none.triangles);
+  ISR_CHECK(none.triangles.empty());
+}
+
+} // namespace
+
+int main()
+{
+  test_interpolation();
+  test_distance();
+  test_gradient();
+  test_close_sheets();
+  test_copies_and_threads();
+  test_few_samples();
+  test_isosurface();
+  return result();
+}
