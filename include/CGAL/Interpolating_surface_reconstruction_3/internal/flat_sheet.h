@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -28,7 +29,8 @@ namespace internal {
 // Tells the outlines of flat sheets from holes. Closing an outline would put a second sheet onto the
 // first. If the points lie exactly in a plane the gate refuses that; here the sheet may have the
 // thickness that rounding and noise give it, as long as no point is farther from the plane of the outline
-// than the longest edge at it: the sampling does not tell anything thinner from a sheet.
+// than the mean edge at it: the sampling does not tell anything thinner from a sheet. A wall as low as that
+// is no sheet, because its triangles stand on the plane.
 template <typename Builder>
 class Flat_sheet
 {
@@ -82,21 +84,29 @@ private:
     m_component.clear();
     for (Point_index p : loop)
       visit(p);
+    double area = 0., projected_area = 0.;
     for (std::size_t i = 0; i != m_component.size(); ++i) {
       const Point_index p = m_component[i];
-      double longest = 0.;
+      double edge_length = 0.; // each edge of a closed fan twice
+      std::size_t edges = 0;
       m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
-        for (Point_index q : t) {
-          longest = (std::max)(longest, (m_points[q] - m_points[p]).squared_length());
-          visit(q);
-        }
+        const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+        area += std::sqrt(n.squared_length() * m_normal.squared_length());
+        projected_area += std::abs(n * m_normal);
+        for (Point_index q : t)
+          if (q != p) {
+            edge_length += std::sqrt((m_points[q] - m_points[p]).squared_length());
+            ++edges;
+            visit(q);
+          }
       });
+      const double mean = edges == 0 ? 0. : edge_length / double(edges);
       const double height = m_normal * (m_points[p] - m_origin);
-      if (m_visits_left == 0 || height * height > longest * m_normal.squared_length())
+      if (m_visits_left == 0 || height * height > mean * mean * m_normal.squared_length())
         return false;
       --m_visits_left;
     }
-    return true;
+    return 2. * projected_area > area;
   }
 
   void visit(Point_index p)

@@ -103,8 +103,8 @@ private:
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
       if (!progress.advance(0.))
         break;
-      if (loop.size() <= m_maximum_size && !is_boundary(loop) && !flat_sheet.is_outline(loop) && !m_fill(loop, on_verdict) &&
-          !is_agreed_boundary(loop))
+      if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
+          !(is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) && !m_fill(loop, on_verdict) && !is_agreed_boundary(loop))
         failed.push_back(loop);
     }
     return failed;
