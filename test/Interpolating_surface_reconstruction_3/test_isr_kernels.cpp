@@ -12,6 +12,7 @@
 // The same small inputs with several kernels.
 
 #include "isr_test_ctc.h"
+#include "isr_test_pcr.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,6 +40,8 @@ Triples test_sample(const std::string& kernel, const Sample& s)
   ISR_CHECK(validation::boundary_edges(triples).empty());
   ISR_CHECK_EQUAL(validation::euler_characteristic(triples), s.euler);
   ISR_CHECK_EQUAL(validation::used_points(triples).size(), s.points.size());
+  ISR_CHECK(validation::is_oriented_manifold(points, pcr(points), K()));
+  ISR_CHECK_EQUAL(pcr(points).size(), triples.size());
   return triples;
 }
 

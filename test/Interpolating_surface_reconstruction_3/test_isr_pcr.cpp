@@ -123,6 +123,7 @@ void test_growth_is_connected()
   const Sample s = sphere_fibonacci(1000);
   const Triples triples = checked_pcr(s.points, recorder, params::keep_boundaries(false));
   ISR_CHECK_EQUAL(recorder.items, triples.size());
+  ISR_CHECK(validation::is_consistently_oriented(recorder.attached));
   const auto sorted = [](Triples list) {
     for (Triple& t : list)
       std::sort(t.begin(), t.end());

@@ -13,6 +13,7 @@
 
 #include "isr_archetype_traits.h"
 #include "isr_test_ctc.h"
+#include "isr_test_pcr.h"
 
 using namespace isr_test;
 
@@ -34,6 +35,7 @@ void test_same_as_kernel(const std::string& name, const Points& points)
   ISR_CHECK(ctc(wrapped(points), params::combine(params::keep_boundaries(true),
                                                  params::geom_traits(Archetype_traits()))) ==
             ctc(points, params::keep_boundaries(true)));
+  ISR_CHECK(pcr(wrapped(points), params::geom_traits(Archetype_traits())) == pcr(points));
 }
 
 void test_normals()

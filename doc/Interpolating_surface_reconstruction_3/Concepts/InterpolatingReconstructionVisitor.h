@@ -46,7 +46,8 @@ public:
 
   /*!
   is called for every triangle that is proposed where the stars do not agree; during `Stage::GROWING`, for
-  the triangles on which they agree as well, in the order in which they are attached.
+  the triangles on which they agree as well, in the order in which they are attached; those that grow from
+  one seed are oriented consistently.
   \param triangle positions in the input range.
   \param verdict what happened to the triangle.
   */

@@ -41,7 +41,7 @@ enum class Front_event
 // The front of a growing surface: rings of the edges that have one triangle (thesis 3.3.3). It knows
 // how edges follow one another, and nothing about where points lie. A ring passes through a point once
 // for each gap between the triangles at the point. Edges have no direction, so that parts of the
-// surface that began with opposite orientations can meet.
+// surface that began with opposite orientations can meet; the order of its ends only recalls its triangle.
 class Growing_front
 {
 public:
@@ -52,8 +52,8 @@ public:
 
   struct Edge
   {
-    std::array<Point_index, 2> ends;
-    Point_index opposite;              // of the triangle that upholds the edge
+    std::array<Point_index, 2> ends;   // in the order in which the triangle that upholds the edge has them
+    Point_index opposite;              // of that triangle
     std::array<Edge_index, 2> links;   // the next edge of the ring, at each end
     std::array<Edge_index, 2> others;  // another edge at the same end, whichever ring it is in
     Ring_index ring;

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Growing_front.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
 #include <boost/container/small_vector.hpp>
@@ -89,12 +90,13 @@ private:
   Point_index disputed_apex(Edge_index e) const
   {
     Apices apices = star_apices(e);
-    const std::size_t needed = apices.empty() ? 1 : 2;
     if (apices.empty())
       apices = ear_apices(e);
     if (apices.empty())
       return NO_POINT;
     const Point_index a = m_front.edge(e).ends[0], b = m_front.edge(e).ends[1], apex = chosen(a, b, apices);
+    const bool is_ear = apex == m_front.following(e, 0) || apex == m_front.following(e, 1);
+    const std::size_t needed = is_ear ? 1 : 2;
     return m_compatibility.stars().votes(a, b, apex) >= needed ? apex : NO_POINT;
   }
 

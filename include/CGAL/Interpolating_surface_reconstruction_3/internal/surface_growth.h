@@ -57,7 +57,7 @@ public:
   { }
 
   // Calls on_verdict(triangle, verdict) for the triangles in the order in which they are attached, or
-  // refused. Ends early if cancelled. Returns the number of attached triangles.
+  // refused; those that grow from one seed are oriented consistently. Ends early if cancelled. Returns the number of attached triangles.
   template <typename ConcurrencyTag, typename Progress, typename OnVerdict>
   std::size_t grow_from_seeds(Progress& progress, OnVerdict on_verdict)
   {
@@ -189,7 +189,9 @@ private:
   template <typename OnVerdict>
   void attach(const Entry& entry, OnVerdict on_verdict)
   {
-    const Triangle& t = entry.vertices;
+    // Turned as the triangle beside the edge: the front keeps the ends of an edge in the order of that one.
+    const auto& ends = m_front.edge(entry.edge).ends;
+    const Triangle t{ { ends[1], ends[0], entry.vertices[2] } };
     const bool is_agreed = m_candidates[entry.edge].is_agreed;
     const Triangle_verdict verdict = is_agreed ? Triangle_verdict::ADDED : m_builder.try_add(t[0], t[1], t[2]);
     if (verdict != Triangle_verdict::ADDED) {
