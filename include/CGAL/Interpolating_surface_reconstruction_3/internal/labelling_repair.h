@@ -39,9 +39,16 @@ public:
   // `is_in_scope(p)` tells the points that matter. No change loses more than `maximum_loss`.
   template <typename IsInScope>
   Labelling_repair(const Cell_complex& cells, Cell_labelling& labelling, const IsInScope& is_in_scope, double maximum_loss)
+    : Labelling_repair(cells, labelling, is_in_scope, maximum_loss, No_cancellation())
+  { }
+
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename IsInScope, typename Cancellation_point>
+  Labelling_repair(const Cell_complex& cells, Cell_labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
+                   Cancellation_point&& cancellation_point)
     : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_position(cells.size(), 0)
   {
-    collect_vertices(is_in_scope);
+    collect_vertices(is_in_scope, cancellation_point);
   }
 
   // Returns the number of points at which the surface is no manifold in the end.
@@ -65,7 +72,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
-      cancellation_point();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (m_defects[v] == 0 || !improve(v))
         continue;
       for (std::size_t w : m_touched)
@@ -82,6 +89,8 @@ private:
   // of points, is left as it is: the moves at a point take time quadratic in its cells.
   static constexpr std::size_t MAXIMUM_CELLS_AT_POINT = 256;
 
+  static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
+
   // Cells to change together, and what that brings.
   struct Move
   {
@@ -90,19 +99,25 @@ private:
     double gain;
   };
 
-  template <typename IsInScope>
-  void collect_vertices(const IsInScope& is_in_scope)
+  template <typename IsInScope, typename Cancellation_point>
+  void collect_vertices(const IsInScope& is_in_scope, Cancellation_point& cancellation_point)
   {
-    for (std::size_t c = 0; c != m_cells.size(); ++c)
+    for (std::size_t c = 0; c != m_cells.size(); ++c) {
+      cancellation_point();
       for (Point_index p : m_cells[c].vertices)
         if (p != NO_POINT && is_in_scope(p))
           m_points.push_back(p);
-    std::sort(m_points.begin(), m_points.end());
+    }
+    std::sort(m_points.begin(), m_points.end(), [&](Point_index p, Point_index q) {
+      cancellation_point();
+      return p < q;
+    });
     keep_points_of_few_cells();
     m_begin.assign(m_points.size() + 1, 0);
     m_cell_vertices.resize(m_cells.size());
     for (std::size_t c = 0; c != m_cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         const auto it = std::lower_bound(m_points.begin(), m_points.end(), m_cells[c].vertices[i]);
         const bool is_found = it != m_points.end() && *it == m_cells[c].vertices[i];
         m_cell_vertices[c][i] = is_found ? std::size_t(it - m_points.begin()) : NONE;
