@@ -410,7 +410,7 @@ private:
   // Open stars that must follow one another in both directions to make a boundary.
   static constexpr std::size_t BOUNDARY_LENGTH = 2;
 
-  static constexpr std::size_t CONFLICTS_PER_POLL = 1024;
+  static constexpr std::size_t CONFLICTS_PER_POLL = 64;
 
   // Two rings of a regular sample hold 18 points.
   static constexpr std::size_t NEIGHBORS = 16;
