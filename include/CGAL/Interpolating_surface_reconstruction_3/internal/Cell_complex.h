@@ -66,7 +66,7 @@ public:
     for (bool is_first = true; stride != 0; stride /= 2, is_first = false) {
       Delaunay::Vertex_handle hint;
       for (std::size_t i = is_first ? 0 : stride; i < m_points.size(); i += is_first ? stride : 2 * stride) {
-        cancellation_point();
+        cancellation_point(MICROSECONDS_PER_INSERTION);
         hint = insert(delaunay, positions[m_points[i]], static_cast<Point_index>(i), hint);
       }
       if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices())
@@ -119,6 +119,8 @@ public:
 private:
   // A random sample has 7 cells a point.
   static constexpr std::size_t MAXIMUM_CELLS_PER_POINT = 50, POINTS_OF_FIRST_ROUND = 500;
+
+  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 16;
 
   // Not less than the 128 facets of what CGAL takes for a small hole.
   static constexpr std::size_t CELLS_OF_SMALL_HOLE = 256;

@@ -121,24 +121,29 @@ public:
     : m_progress(&progress)
   { }
 
-  void operator()()
+  // `work` is about the number of microseconds until the next call, if they are more than one.
+  void operator()(std::size_t work = 1)
   {
-    if (++m_calls % CALLS_PER_POLL == 0 && !m_progress->advance(0.))
+    m_work += work;
+    if (m_work < WORK_PER_POLL)
+      return;
+    m_work = 0;
+    if (!m_progress->advance(0.))
       throw Cancelled();
   }
 
 private:
-  // Between two polls are some milliseconds, as a call stands for at most a microsecond of work or so.
-  static constexpr std::size_t CALLS_PER_POLL = 4096;
+  // Between two polls are some milliseconds.
+  static constexpr std::size_t WORK_PER_POLL = 4096;
 
   Progress* m_progress;
-  std::size_t m_calls = 0;
+  std::size_t m_work = 0;
 };
 
 // Never cancels.
 struct No_cancellation
 {
-  void operator()() const { }
+  void operator()(std::size_t = 1) const { }
 };
 
 } // namespace internal

@@ -200,7 +200,8 @@ private:
     find_certain_sites(cells, cancellation_point);
     compute_spheres(cells, cancellation_point);
     Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); }, cancellation_point);
-    Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2);
+    Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2,
+                            cancellation_point);
     repair(cancellation_point);
     attach(cells, labelling, cancellation_point, on_verdict);
     for (Point_index p : m_cluster)
@@ -409,7 +410,7 @@ private:
   // Open stars that must follow one another in both directions to make a boundary.
   static constexpr std::size_t BOUNDARY_LENGTH = 2;
 
-  static constexpr std::size_t CONFLICTS_PER_POLL = 1024;
+  static constexpr std::size_t CONFLICTS_PER_POLL = 64;
 
   // Two rings of a regular sample hold 18 points.
   static constexpr std::size_t NEIGHBORS = 16;

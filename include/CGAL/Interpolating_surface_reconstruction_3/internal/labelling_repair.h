@@ -42,13 +42,22 @@ public:
   template <typename IsInScope>
   Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
                    bool keeps_components = false)
-    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components), m_cell_of(cells.points().size(), NO_CELL),
-      m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
+    : Labelling_repair(cells, labelling, is_in_scope, maximum_loss, keeps_components, No_cancellation())
+  { }
+
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename IsInScope, typename Cancellation_point>
+  Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
+                   bool keeps_components, Cancellation_point&& cancellation_point)
+    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components),
+      m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
   {
-    for (Cell_index c = 0; c != cells.size(); ++c)
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
       for (Point_index p : cells[c].vertices)
         if (p != NO_POINT && is_in_scope(p))
           m_cell_of[position_of(p)] = c;
+    }
   }
 
   // Returns the number of points at which the surface is no manifold in the end.
@@ -71,7 +80,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
-      cancellation_point();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (m_defects[v] == 0 || !improve(v))
         continue;
       for (std::size_t w : m_touched)
@@ -134,6 +143,8 @@ private:
   static constexpr std::size_t MAXIMUM_SINGLE_CELLS = 256;
 
   static constexpr unsigned char FREE_CHANGES = 5;
+
+  static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
 
   // Cells to change together, and what that brings.
   struct Move
