@@ -54,10 +54,9 @@ public:
   }
 
 private:
-  // Triangles of regular samples have edges of 1 and the square root of 2 times the median; a triangle
-  // across an opening that is not much larger than the spacing cannot be told from one of a sparse
-  // part of the samples.
-  static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.4;
+  // An opening has a triangle that is far larger than the spacing. The others of it are larger than those
+  // of a grid, whose edges are up to the square root of 2 times the median.
+  static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.5;
 
   double length(Point_index p, Point_index q) const { return std::sqrt((m_positions[q] - m_positions[p]).squared_length()); }
 
@@ -85,7 +84,7 @@ private:
     }
   }
 
-  // The median length of the edges at each vertex.
+  // The lower median of the lengths of the edges at each vertex: beside an opening, half of them may span it.
   void compute_radii()
   {
     std::vector<std::size_t> begin(m_positions.size() + 1, 0);
@@ -103,7 +102,7 @@ private:
     for (std::size_t p = 0; p != m_positions.size(); ++p)
       if (begin[p] != begin[p + 1]) {
         const auto first = lengths.begin() + std::ptrdiff_t(begin[p]), last = lengths.begin() + std::ptrdiff_t(begin[p + 1]);
-        const auto median = first + (last - first) / 2;
+        const auto median = first + (last - first - 1) / 2;
         std::nth_element(first, median, last);
         m_radii[p] = *median;
       }
