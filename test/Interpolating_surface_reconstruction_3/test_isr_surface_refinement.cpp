@@ -117,48 +117,36 @@ void test_vertex_normals()
   ISR_CHECK(normals[6] == in::Local_vector(0, 0, 0));
 }
 
+// A sphere of small triangles of which some were replaced by a fan of large ones.
 void test_boundary_opening()
 {
-  begin_case("opening");
-  // a sheet of n x n squares, closed from below by triangles between the points of its rim
-  constexpr in::Point_index n = 20;
-  std::vector<in::Local_point> positions;
-  std::vector<in::Local_vector> normals;
-  for (in::Point_index i = 0; i <= n; ++i)
-    for (in::Point_index j = 0; j <= n; ++j) {
-      positions.emplace_back(i, j, 0);
-      normals.emplace_back(0, 0, 1);
-    }
-  const auto at = [](in::Point_index i, in::Point_index j) { return i * (n + 1) + j; };
-  std::vector<Triangle> triangles;
-  for (in::Point_index i = 0; i != n; ++i)
-    for (in::Point_index j = 0; j != n; ++j) {
-      triangles.push_back({ { at(i, j), at(i + 1, j), at(i + 1, j + 1) } });
-      triangles.push_back({ { at(i, j), at(i + 1, j + 1), at(i, j + 1) } });
-    }
-  const std::size_t sheet = triangles.size();
-  std::vector<in::Point_index> rim;
-  for (in::Point_index k = 0; k != 4 * n; ++k) {
-    const in::Point_index side = k / n, along = k % n;
-    rim.push_back(side == 0 ? at(0, along) : side == 1 ? at(along, n) : side == 2 ? at(n, n - along) : at(n - along, 0));
-  }
-  for (std::size_t i = 0, j = rim.size() - 1; i + 1 != j; ) {
-    triangles.push_back({ { rim[i], rim[i + 1], rim[j] } });
-    ++i;
-    if (i + 1 == j)
-      break;
-    triangles.push_back({ { rim[i], rim[j - 1], rim[j] } });
-    --j;
-  }
-  ISR_CHECK(validation::boundary_edges(triples(triangles)).empty());
-  ISR_CHECK(validation::is_consistently_oriented(triples(triangles)));
-  const std::vector<Triangle> found = in::Boundary_opening(positions, normals, triangles)();
-  ISR_CHECK_EQUAL(found.size(), sheet);
-  ISR_CHECK(validation::is_vertex_manifold(triples(found)));
-  ISR_CHECK_EQUAL(validation::boundary_edges(triples(found)).size(), 4u * n);
   begin_case("nothing to open");
-  ISR_CHECK_EQUAL(in::Boundary_opening(octahedron(), std::vector<in::Local_vector>(6, in::Local_vector(0, 0, 0)),
-                                       faces_of_octahedron())().size(), 8u);
+  std::vector<in::Local_point> positions = octahedron(), added;
+  std::vector<Triangle> triangles = faces_of_octahedron();
+  in::Surface_refinement refine(positions, triangles, added);
+  refine.operator()<CGAL::Sequential_tag>(.15, on_sphere, [](double) { return true; });
+  positions.insert(positions.end(), added.begin(), added.end());
+  std::vector<in::Local_vector> normals;
+  for (const in::Local_point& p : positions)
+    normals.push_back(p - CGAL::ORIGIN);
+  ISR_CHECK_EQUAL(in::Boundary_opening(positions, normals, triangles)().size(), triangles.size());
+
+  begin_case("opening");
+  std::vector<Triangle> rest;
+  for (const Triangle& t : triangles)
+    if (positions[t[0]].z() < .5 || positions[t[1]].z() < .5 || positions[t[2]].z() < .5)
+      rest.push_back(t);
+  std::vector<std::array<std::size_t, 2> > rim = validation::boundary_edges(triples(rest));
+  std::vector<Triangle> closed = rest;
+  for (const auto& edge : rim)
+    if (edge[0] != rim[0][0] && edge[1] != rim[0][0])
+      closed.push_back({ { in::Point_index(edge[1]), in::Point_index(edge[0]), in::Point_index(rim[0][0]) } });
+  ISR_CHECK(validation::boundary_edges(triples(closed)).empty());
+  const std::vector<Triangle> found = in::Boundary_opening(positions, normals, closed)();
+  ISR_CHECK(validation::is_vertex_manifold(triples(found)));
+  ISR_CHECK(validation::is_consistently_oriented(triples(found)));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples(found)), 1u);
+  ISR_CHECK(found.size() > rest.size() - 20 && found.size() < rest.size() + 20);
 }
 
 } // namespace

@@ -84,7 +84,7 @@ private:
     }
   }
 
-  // The lower median of the lengths of the edges at each vertex: beside an opening, half of them may span it.
+  // The median length of the edges at each vertex.
   void compute_radii()
   {
     std::vector<std::size_t> begin(m_positions.size() + 1, 0);
@@ -102,7 +102,7 @@ private:
     for (std::size_t p = 0; p != m_positions.size(); ++p)
       if (begin[p] != begin[p + 1]) {
         const auto first = lengths.begin() + std::ptrdiff_t(begin[p]), last = lengths.begin() + std::ptrdiff_t(begin[p + 1]);
-        const auto median = first + (last - first - 1) / 2;
+        const auto median = first + (last - first) / 2;
         std::nth_element(first, median, last);
         m_radii[p] = *median;
       }

@@ -41,8 +41,8 @@ public:
   template <typename IsInScope>
   Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
                    bool keeps_components = false)
-    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components), m_cell_of(cells.points().size(), NO_CELL),
-      m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
+    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components),
+      m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
