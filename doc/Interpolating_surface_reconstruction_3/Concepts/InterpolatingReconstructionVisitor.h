@@ -26,7 +26,8 @@ public:
   /*!
   is called once, after the points were read.
   \param duplicates number of points that equal an earlier one.
-  \param non_finite number of points with a coordinate that is not a finite number.
+  \param non_finite number of points with a coordinate that is not a finite number or, for
+  `lis_reconstruction()`, with a normal that is zero or not finite.
   */
   void on_points_set_aside(std::size_t duplicates, std::size_t non_finite);
 

@@ -66,7 +66,8 @@ struct Default_visitor
   void on_reconstruction_begin(std::size_t /* number_of_points */) { }
 
   /// called once after reading: `duplicates` equal an earlier point of the range,
-  /// `non_finite` have a coordinate that is not a finite number. None of them is used.
+  /// `non_finite` have a coordinate that is not a finite number or, for `lis_reconstruction()`, a normal
+  /// that is zero or not finite. None of them is used.
   void on_points_set_aside(std::size_t /* duplicates */, std::size_t /* non_finite */) { }
 
   /// called when a stage begins.
