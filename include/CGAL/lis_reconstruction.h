@@ -54,8 +54,9 @@ permutation of the points only renames them.
 Points with a coordinate that is not a finite number, points with a normal that is zero or not finite,
 and points equal to an earlier one are set aside and counted; see `on_points_set_aside()` of
 `InterpolatingReconstructionVisitor`, which is told the first two kinds as one. Fewer than three
-distinct points, or collinear ones, give no triangle. Points that lie in one plane are handed on to
-`ctc_reconstruction()` and give a surface with boundary. A reconstruction that is cancelled writes
+distinct points, or collinear ones, give no triangle. Points that lie in one plane, and points with more
+than 50 Delaunay tetrahedra each, which are no samples of a surface, are handed on to
+`ctc_reconstruction()` and may give a surface with boundary. A reconstruction that is cancelled writes
 nothing.
 
 The method is from chapter 5 of the thesis cited in the user manual; its function with marching cubes
@@ -140,8 +141,7 @@ both ranges are appended to
 \return `false` if the reconstruction was cancelled; the output is unchanged then.
 
 The time and memory are those of a Delaunay triangulation of the points, of which \f$ n \f$ points on a
-surface have \f$ O(n \log n) \f$ tetrahedra. Points with more than 50 tetrahedra each, which are no
-samples of a surface, give no triangle.
+surface have \f$ O(n \log n) \f$ tetrahedra.
 
 \sa `CGAL::poisson_surface_reconstruction_delaunay()`
 */

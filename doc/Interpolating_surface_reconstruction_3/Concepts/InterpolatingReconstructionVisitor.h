@@ -28,7 +28,8 @@ public:
   is called once, after the points were read.
   \param duplicates number of points that are set aside because they equal an earlier one, or coincide
   with another one in double precision once the longest side of the bounding box is scaled to about 1.
-  \param non_finite number of points with a coordinate that is not a finite number.
+  \param non_finite number of points with a coordinate that is not a finite number or, for
+  `lis_reconstruction()`, with a normal that is zero or not finite.
   */
   void on_points_set_aside(std::size_t duplicates, std::size_t non_finite);
 

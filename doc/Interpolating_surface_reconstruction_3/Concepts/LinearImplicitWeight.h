@@ -10,7 +10,7 @@ the sample over the square of the distance at which the weight ends, from 0 to l
 *agreement* is the scalar product of the normals of the sample and of the sample nearest to the point of
 evaluation, from -1 to 1.
 
-\cgalRefines{CopyConstructible,DefaultConstructible}
+A model can be copied and be constructed without arguments.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Interpolating_surface_reconstruction_3::Interpolating_weight}

@@ -67,7 +67,8 @@ struct Default_visitor
   void on_reconstruction_begin(std::size_t /* number_of_points */) { }
 
   /// called once after reading: `duplicates` coincide in double precision with another point that is kept,
-  /// `non_finite` have a coordinate that is not a finite number. None of them is used.
+  /// `non_finite` have a coordinate that is not a finite number or, for `lis_reconstruction()`, a normal
+  /// that is zero or not finite. None of them is used.
   void on_points_set_aside(std::size_t /* duplicates */, std::size_t /* non_finite */) { }
 
   /// called when a stage begins.

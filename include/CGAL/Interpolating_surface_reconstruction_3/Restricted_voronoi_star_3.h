@@ -74,7 +74,7 @@ private:
   static constexpr std::size_t INITIAL_NEIGHBORS = 16;
   // Twice doubled. A star that is not certain by then has a gap, or triangles that are far longer
   // than its shortest ones.
-  static constexpr std::size_t MAXIMUM_NEIGHBORS = 64;
+  static constexpr std::size_t MAXIMUM_NEIGHBORS = 256;
 
   static Vector_3 covariance_normal(const Star_neighborhood& neighborhood)
   {

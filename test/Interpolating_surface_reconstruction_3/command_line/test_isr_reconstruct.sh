@@ -107,6 +107,10 @@ for method in ctc pcr; do
   succeeds sphere.xyz method.off --method "$method"
   check "triangles by $method" equal "$(triangles)" 996
 done
+succeeds sphere.xyz lis.off --method lis
+check "lis makes as many triangles" equal "$(triangles)" "$expected"
+succeeds sphere.xyz lis_fine.ply --method lis --grid-spacing 0.05
+check "finer triangles" test "$(triangles)" -gt "$((3 * expected))"
 
 # Statistics -------------------------------------------------------------------------------------
 odd_name=$'a "quoted" back\\slash \ttab.xyz'
@@ -172,6 +176,7 @@ fails 2 "$sphere" mesh.ply --maximum-hole-size -1
 fails 2 "$sphere" mesh.ply --neighbor-radius nan
 fails 2 "$sphere" mesh.ply --neighbor-radius -1
 fails 2 "$sphere" mesh.ply --method no-such-method
+fails 2 "$sphere" mesh.ply --method lis --grid-spacing -1
 fails 2 "$sphere" mesh.ply --stats ./mesh.ply
 fails 2 "$work/mesh.ply" "$work/mesh.ply"
 fails 3 "$work/missing.xyz" mesh.ply

@@ -191,12 +191,18 @@ private:
     std::vector<Delaunay::Cell_handle> result(next.back());
     for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
       result[next[smallest(cell)]++] = cell;
-    const auto less = [&](Delaunay::Cell_handle a, Delaunay::Cell_handle b) {
-      cancellation_point();
-      return key(a) < key(b);
-    };
-    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k)
-      std::sort(result.begin() + std::ptrdiff_t(begin), result.begin() + std::ptrdiff_t(next[k]), less);
+    using Keyed_cell = std::pair<std::array<Point_index, 4>, Delaunay::Cell_handle>;
+    std::vector<Keyed_cell> bucket;
+    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k) {
+      bucket.clear();
+      for (std::size_t c = begin; c != next[k]; ++c) {
+        cancellation_point();
+        bucket.emplace_back(key(result[c]), result[c]);
+      }
+      std::sort(bucket.begin(), bucket.end(), [](const Keyed_cell& a, const Keyed_cell& b) { return a.first < b.first; });
+      for (std::size_t c = begin; c != next[k]; ++c)
+        result[c] = bucket[c - begin].second;
+    }
     return result;
   }
 

@@ -17,13 +17,15 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <queue>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -33,23 +35,24 @@ namespace internal {
 // Two labels for the cells of a Delaunay triangulation. Every facet has a weight, positive if it seems
 // to separate inside from outside, negative if both its cells seem to be on one side; the labels
 // make the sum of the weights of the facets between different labels large. Which label is the
-// outside is left open, so that no seed and no orientation is needed.
+// outside is left open, so that no seed and no orientation is needed; where one is known, oriented
+// energies can take the place of the weights.
 class Cell_labelling
 {
 public:
   using Cell_index = Cell_complex::Cell_index;
+  using Oriented_root = Parity_union_find::Oriented_root;
 
-  // `weight(cell, i)` is the weight of facet i of the cell; it is called once a facet.
-  template <typename Weight>
-  Cell_labelling(const Cell_complex& cells, const Weight& weight)
-    : Cell_labelling(cells, weight, No_cancellation())
-  { }
-
+  // `weight(cell, i)` is the weight of facet i of the cell; it is called once a facet. `chart(cell, i)`
+  // is the part of the surface that facet i is known to belong to, if any, flipped if the cell lies on
+  // its other side: all facets of a part have the same label on the same side.
   // `cancellation_point()` is called again and again and may throw.
-  template <typename Weight, typename Cancellation_point>
-  Cell_labelling(const Cell_complex& cells, const Weight& weight, Cancellation_point&& cancellation_point)
-    : m_cells(cells), m_labels(cells.size(), 0), m_weights(cells.size())
+  template <typename Weight, typename Chart, typename Cancellation_point>
+  Cell_labelling(const Cell_complex& cells, const Weight& weight, const Chart& chart, Cancellation_point&& cancellation_point)
+    : m_cells(cells), m_labels(cells.size(), 0), m_costs(cells.size()), m_preferences(cells.size(), 0.)
   {
+    Parity_union_find sides(cells.size());
+    std::unordered_map<Parity_union_find::Element, Parity_union_find::Element> sides_of_charts;
     std::vector<Facet> facets;
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
@@ -58,51 +61,69 @@ public:
           continue;
         cancellation_point();
         const double w = weight(c, i);
-        m_weights[c][i] = w;
-        m_weights[n][index_of(n, c, i)] = w;
+        set_cost(c, i, Cost{ -w, -w });
         facets.push_back(Facet{ std::abs(w), c, n, w > 0. });
+        if (const std::optional<Oriented_root> side = chart(c, i)) {
+          const auto it = sides_of_charts.emplace(side->root, static_cast<Parity_union_find::Element>(sides.size()));
+          if (it.second)
+            sides.add();
+          sides.unite(it.first->second, c, side->is_flipped);
+          sides.unite(it.first->second, n, !side->is_flipped);
+        }
       }
-    contract(facets, cancellation_point);
+    contract(facets, sides, cancellation_point);
     relax(cancellation_point);
   }
+
+  template <typename Weight>
+  Cell_labelling(const Cell_complex& cells, const Weight& weight)
+    : Cell_labelling(cells, weight, [](Cell_index, std::size_t) { return std::optional<Oriented_root>(); }, No_cancellation())
+  { }
 
   bool label(Cell_index c) const { return m_labels[c] != 0; }
   void flip(Cell_index c) { m_labels[c] ^= 1; }
   bool is_surface(Cell_index c, std::size_t i) const { return m_labels[c] != m_labels[m_cells[c].neighbors[i]]; }
-  double weight(Cell_index c, std::size_t i) const { return m_weights[c][i]; }
+  // The weight of the facet, or the mean of its costs the other way round.
+  double weight(Cell_index c, std::size_t i) const { return -(m_costs[c][i].if_set + m_costs[c][i].if_clear) / 2.; }
 
-  // What the sum of the weights wins if the cell changes its label.
+  // What a facet costs between different labels: if its cell has the label, or if its neighbor has it.
+  struct Cost { double if_set, if_clear; };
+
+  // Replaces the weights: `cost(cell, i)` is the Cost of facet i, called once a facet, and
+  // `preference(cell)` what the label costs the cell.
+  template <typename Facet_cost, typename Preference>
+  void set_energy(const Facet_cost& cost, const Preference& preference)
+  {
+    for (Cell_index c = 0; c != m_cells.size(); ++c) {
+      m_preferences[c] = preference(c);
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_cells[c].neighbors[i] >= c)
+          set_cost(c, i, cost(c, i));
+    }
+  }
+
+  // What is won if the cell changes its label.
   double gain(Cell_index c) const
   {
-    double result = 0.;
+    double set = m_preferences[c], clear = 0.;
     for (std::size_t i = 0; i != 4; ++i)
-      result += is_surface(c, i) ? -m_weights[c][i] : m_weights[c][i];
-    return result;
+      if (label(m_cells[c].neighbors[i]))
+        clear += m_costs[c][i].if_clear;
+      else
+        set += m_costs[c][i].if_set;
+    return label(c) ? set - clear : clear - set;
   }
+
+  // Gains below this are rounding errors of sums of weights.
+  double smallest_gain(Cell_index) const { return 1e-9; }
 
   // Changes single cells as long as that wins.
-  void relax()
-  {
-    No_cancellation cancellation_point;
-    relax(cancellation_point);
-  }
+  void relax() { relax(No_cancellation()); }
 
   template <typename Cancellation_point>
-  void relax(Cancellation_point& cancellation_point)
+  void relax(Cancellation_point&& cancellation_point)
   {
-    std::priority_queue<Entry> queue;
-    for (Cell_index c = 0; c != m_cells.size(); ++c)
-      push(queue, c);
-    while (!queue.empty()) {
-      cancellation_point();
-      const Entry entry = queue.top();
-      queue.pop();
-      if (gain(entry.cell) != entry.gain)
-        continue;
-      flip(entry.cell);
-      for (Cell_index n : m_cells[entry.cell].neighbors)
-        push(queue, n);
-    }
+    relax_labels(m_cells, *this, cancellation_point);
   }
 
 private:
@@ -113,24 +134,11 @@ private:
     bool is_separating;
   };
 
-  struct Entry
+  void set_cost(Cell_index c, std::size_t i, const Cost& cost)
   {
-    double gain;
-    Cell_index cell;
-    bool operator<(const Entry& other) const
-    {
-      return gain < other.gain || (gain == other.gain && cell > other.cell);
-    }
-  };
-
-  // Gains below this are rounding errors of sums of weights.
-  static constexpr double SMALLEST_GAIN = 1e-9;
-
-  void push(std::priority_queue<Entry>& queue, Cell_index c) const
-  {
-    const double g = gain(c);
-    if (g > SMALLEST_GAIN)
-      queue.push(Entry{ g, c });
+    const Cell_index n = m_cells[c].neighbors[i];
+    m_costs[c][i] = cost;
+    m_costs[n][index_of(n, c, i)] = Cost{ cost.if_clear, cost.if_set };
   }
 
   // The facet of `cell` towards `neighbor` that is facet i of `neighbor`. Small triangulations may have
@@ -145,16 +153,15 @@ private:
     return 0;
   }
 
-  // Follows the facets from the most certain one; a facet that contradicts more certain ones is
+  // Follows the charts, and then the facets from the most certain one; a facet that contradicts more certain ones is
   // ignored.
   template <typename Cancellation_point>
-  void contract(std::vector<Facet>& facets, Cancellation_point& cancellation_point)
+  void contract(std::vector<Facet>& facets, Parity_union_find& sides, Cancellation_point& cancellation_point)
   {
     std::stable_sort(facets.begin(), facets.end(), [&](const Facet& a, const Facet& b) {
       cancellation_point();
       return a.certainty > b.certainty;
     });
-    Parity_union_find sides(m_cells.size());
     for (const Facet& f : facets) {
       cancellation_point();
       sides.unite(f.first, f.second, f.is_separating);
@@ -165,7 +172,8 @@ private:
 
   const Cell_complex& m_cells;
   std::vector<unsigned char> m_labels;
-  std::vector<std::array<double, 4> > m_weights;
+  std::vector<std::array<Cost, 4> > m_costs;
+  std::vector<double> m_preferences; // against the label
 };
 
 } // namespace internal

@@ -33,6 +33,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,16 +67,23 @@ public:
   using Triangles = std::vector<Triangle>;
 
   // `normals` are in the order of the cloud and have unit length, or there are none.
-  Lis_reconstructor_3(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
+  Lis_reconstructor_3(const Cloud& cloud, std::vector<Local_vector> normals, const StarConstruction& construction,
                       const Lis_options& options, Progress<Visitor>& progress)
-    : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress), m_cancellation_point(progress)
+    : m_cloud(cloud), m_normals(std::move(normals)), m_construction(construction), m_options(options), m_progress(progress),
+      m_cancellation_point(progress)
   { }
 
   // Returns false if cancelled.
   bool operator()(Lis_surface& surface)
   {
     try {
-      reconstruct(surface);
+      const Cell_complex cells = triangulate();
+      if (cells.size() == 0) {
+        connect_charts(surface);
+      } else {
+        Oriented_labelling labelling = find_signs(cells);
+        extract_surface(cells, labelling, surface);
+      }
     } catch (const Cancelled&) {
       return false;
     }
@@ -84,46 +92,36 @@ public:
 
 private:
   // Shares of the run time, measured on scans, for the progress.
-  static constexpr double NORMALS_SHARE = .1, INDEXING_SHARE = .6, FUNCTION_SHARE = .1, ISOSURFACE_SHARE = .2;
+  static constexpr double INDEXING_SHARE = .7, FUNCTION_SHARE = .1, ISOSURFACE_SHARE = .2;
 
-  void reconstruct(Lis_surface& surface)
-  {
-    find_normals();
-    if (m_progress.is_cancelled())
-      return;
-    const Cell_complex cells = triangulate();
-    if (cells.size() == 0) {
-      connect_charts(surface);
-    } else {
-      Oriented_labelling labelling = find_signs(cells);
-      extract_surface(cells, labelling, surface);
-    }
-  }
+  // The part of the indexing that the charts take, if there are no normals.
+  static constexpr double NORMALS_PART = .5;
 
-  // Samples without normals get those of a surface made of compatible charts.
-  void find_normals()
-  {
-    m_progress.begin_stage(Stage::STARS, NORMALS_SHARE);
-    if (m_normals.empty())
-      m_normals = chart_normals<ConcurrencyTag>(m_cloud, m_construction, m_options.neighbor_radius,
-                                                [this](double fraction) { return m_progress.advance(fraction); });
-    m_progress.end_stage(m_normals.size());
-  }
-
+  // The Delaunay triangulation of the samples with normals.
   Cell_complex triangulate()
   {
     m_progress.begin_stage(Stage::INDEXING, INDEXING_SHARE);
-    // A point that the charts leave out has no normal.
+    if (m_normals.empty())
+      find_normals();
     std::vector<Point_index> samples;
-    for (Point_index p = 0; p != m_cloud.size(); ++p)
-      if (m_normals[p] != Local_vector(0, 0, 0))
-        samples.push_back(p);
+    if (!m_progress.is_cancelled())
+      for (Point_index p = 0; p != m_cloud.size(); ++p)
+        if (m_normals[p] != Local_vector(0, 0, 0))
+          samples.push_back(p);
     Cell_complex cells(m_cloud.positions(), std::move(samples), m_cancellation_point);
     m_progress.end_stage(cells.size());
     return cells;
   }
 
-  // Samples in one plane have no tetrahedra.
+  // Samples without normals get those of a surface of compatible charts, but for points that it leaves out.
+  void find_normals()
+  {
+    m_normals = chart_normals<ConcurrencyTag>(m_cloud, m_construction, m_options.neighbor_radius, [this](double fraction) {
+      return m_progress.advance(NORMALS_PART * fraction);
+    });
+  }
+
+  // Samples in one plane have no tetrahedra, and those of no surface too many.
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
@@ -157,7 +155,7 @@ private:
   void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling)
   {
     Labelling_repair<Oriented_labelling> repair(cells, labelling, [](Point_index) { return true; },
-                                                (std::numeric_limits<double>::max)(), true);
+                                                (std::numeric_limits<double>::max)(), true, m_cancellation_point);
     repair(m_cancellation_point);
     Label_minimum_cut cut(cells, labelling);
     cut(repair);

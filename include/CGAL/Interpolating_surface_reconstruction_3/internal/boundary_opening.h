@@ -54,10 +54,9 @@ public:
   }
 
 private:
-  // Triangles of regular samples have edges of 1 and the square root of 2 times the median; a triangle
-  // across an opening that is not much larger than the spacing cannot be told from one of a sparse
-  // part of the samples.
-  static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.4;
+  // An opening has a triangle that is far larger than the spacing. The others of it are larger than those
+  // of a grid, whose edges are up to the square root of 2 times the median.
+  static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.5;
 
   double length(Point_index p, Point_index q) const { return std::sqrt((m_positions[q] - m_positions[p]).squared_length()); }
 

@@ -16,17 +16,22 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -35,32 +40,39 @@ namespace internal {
 
 // Completes the surface where charts conflict (thesis 6.3, "Compatibility"): the conflicting points
 // and the surface around them are triangulated by Delaunay tetrahedra, these are labelled inside
-// and outside by the votes of the stars, and the facets between the labels are the surface.
+// and outside, and the facets between the labels are the surface. The labels follow the sides of the
+// charts around, the votes of the stars and the shapes of the cells; then, as all that makes an
+// oriented surface, the linear implicit function of its normals (thesis 5.2), again and again.
 template <typename Builder>
 class Conflict_completion
 {
 public:
   Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
-    : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
+    : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder)
   { }
 
   // Ends early if cancelled.
   template <typename Progress, typename OnVerdict>
   void operator()(Progress& progress, OnVerdict on_verdict)
   {
-    find_conflicts();
-    const std::vector<std::vector<std::size_t> > clusters = find_clusters(progress);
+    if (m_clusters.conflicts().empty())
+      return;
+    m_is_conflict.assign(m_points.size(), 0);
+    m_is_site.assign(m_points.size(), 0);
+    m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
+    for (Point_index p : m_clusters.conflicts())
+      m_is_conflict[p] = 1;
     std::size_t done = 0;
     // A single cluster may hold all points.
     Cancellation_point<Progress> cancellation_point(progress);
-    for (const std::vector<std::size_t>& cluster : clusters) {
+    for (const std::vector<Point_index>& cluster : m_clusters.find(progress)) {
       try {
         complete(cluster, cancellation_point, on_verdict);
       } catch (const Cancelled&) {
         return;
       }
       done += cluster.size();
-      if (!progress.advance(double(done) / double(m_conflicts.size())))
+      if (!progress.advance(double(done) / double(m_clusters.conflicts().size())))
         return;
     }
   }
@@ -73,158 +85,201 @@ private:
   // Weight of a facet that is known to be on the surface, or negative, known not to be.
   static constexpr double CERTAIN = 20.;
 
+  // The normals of the third surface hardly differ from those of the second one.
+  static constexpr std::size_t ORIENTED_ROUNDS = 3;
+
   // Whether the surface at the point is one closed fan.
   bool is_complete(Point_index p) const
   {
     return !m_builder.is_open(p) || m_builder.is_fan_closed(p);
   }
 
-  void find_conflicts()
-  {
-    m_is_conflict.assign(m_points.size(), 0);
-    m_is_site.assign(m_points.size(), 0);
-    for (Point_index p : m_builder.open_points())
-      if (!is_on_boundary(p) && !is_complete(p))
-        m_conflicts.push_back(p);
-    std::sort(m_conflicts.begin(), m_conflicts.end());
-    for (Point_index p : m_conflicts)
-      m_is_conflict[p] = 1;
-  }
-
-  // Whether the surface has a boundary at the point: its star has a gap, and so have the stars of the
-  // next points along the boundary. Single open stars are conflicts.
-  bool is_on_boundary(Point_index p) const
-  {
-    const Star_compatibility& compatibility = m_builder.compatibility();
-    if (!compatibility.is_point_on_boundary(p))
-      return false;
-    for (const auto& corner : m_builder.corners(p))
-      for (Point_index q : { corner.a, corner.b })
-        if (m_builder.number_of_triangles(p, q) == 1 && !reaches(q, p, BOUNDARY_LENGTH))
-          return false;
-    return true;
-  }
-
-  // Whether the boundary goes on from p, coming from `from`, over `length` open stars.
-  bool reaches(Point_index p, Point_index from, std::size_t length) const
-  {
-    for (; length != 0; --length) {
-      if (!m_builder.is_open(p) || !m_builder.compatibility().is_point_on_boundary(p))
-        return false;
-      Point_index next = NO_POINT;
-      for (const auto& corner : m_builder.corners(p))
-        for (Point_index q : { corner.a, corner.b })
-          if (q != from && m_builder.number_of_triangles(p, q) == 1)
-            next = q;
-      if (next == NO_POINT)
-        return false;
-      from = p;
-      p = next;
-    }
-    return true;
-  }
-
   bool is_conflict(Point_index p) const { return m_is_conflict[p] != 0; }
 
-  // The points around a conflict that its completion must see: its neighbors, its link, and the
-  // links of its link, so that their stars are complete.
-  void surroundings(Point_index p, std::vector<Point_index>& result)
-  {
-    result.assign(1, p);
-    m_neighbors.for_point(p, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
-    result.insert(result.end(), m_neighbors.indices().begin(), m_neighbors.indices().end());
-    const std::size_t before = result.size();
-    add_link(p, result);
-    const std::size_t inner = result.size();
-    for (std::size_t i = before; i != inner; ++i)
-      add_link(result[i], result);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-  }
-
-  void add_link(Point_index p, std::vector<Point_index>& result) const
-  {
-    const Star_table& stars = m_builder.compatibility().stars();
-    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
-      if (stars.neighbor(s) != NO_POINT)
-        result.push_back(stars.neighbor(s));
-  }
-
-  Point_index position_of(Point_index conflict) const
-  {
-    return static_cast<Point_index>(std::lower_bound(m_conflicts.begin(), m_conflicts.end(), conflict) - m_conflicts.begin());
-  }
-
-  // Conflicts that see each other, as positions in m_conflicts; none if cancelled.
-  template <typename Progress>
-  std::vector<std::vector<std::size_t> > find_clusters(Progress& progress)
-  {
-    Parity_union_find sets(m_conflicts.size());
-    m_surroundings.resize(m_conflicts.size());
-    for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
-      if (i % CONFLICTS_PER_POLL == 0 && !progress.advance(0.))
-        return {};
-      surroundings(m_conflicts[i], m_surroundings[i]);
-      for (Point_index q : m_surroundings[i])
-        if (is_conflict(q))
-          sets.unite(static_cast<Point_index>(i), position_of(q), false);
-    }
-    std::vector<std::size_t> cluster_of(m_conflicts.size(), 0);
-    std::vector<std::vector<std::size_t> > clusters;
-    for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
-      const std::size_t root = sets.find(static_cast<Point_index>(i)).root;
-      if (root == i) {
-        cluster_of[i] = clusters.size();
-        clusters.emplace_back();
-      }
-      clusters[cluster_of[root]].push_back(i);
-    }
-    return clusters;
-  }
-
   template <typename CancellationPoint, typename OnVerdict>
-  void complete(const std::vector<std::size_t>& cluster, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  void complete(const std::vector<Point_index>& cluster, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     m_cluster.clear();
     for (Point_index p : m_sites)
       m_is_site[p] = 0;
     m_sites.clear();
-    for (std::size_t i : cluster)
-      add_to_cluster(m_conflicts[i], m_surroundings[i]);
-    Cell_complex cells(m_points, sorted_sites(), cancellation_point);
+    for (Point_index p : cluster)
+      add_to_cluster(p);
+    Cell_complex cells = triangulate(cancellation_point);
     // Once: the few triangles around the points that join then hardly matter.
     if (cells.size() != 0 && withdraw_triangles_without_facet(cells, cancellation_point))
-      cells = Cell_complex(m_points, sorted_sites(), cancellation_point);
-    if (cells.size() == 0)
-      return;
-    find_certain_sites(cells, cancellation_point);
-    compute_spheres(cells, cancellation_point);
-    Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return weight(cells, c, i); }, cancellation_point);
-    Labelling_repair repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); }, CERTAIN / 2,
-                            cancellation_point);
-    repair(cancellation_point);
-    attach(cells, labelling, cancellation_point, on_verdict);
+      cells = triangulate(cancellation_point);
+    if (cells.size() != 0)
+      complete_with(cells, true, cancellation_point, on_verdict);
     for (Point_index p : m_cluster)
       m_is_conflict[p] = is_complete(p) ? 0 : 1;
   }
 
-  // Hands the surroundings of a conflict over to the current cluster.
-  void add_to_cluster(Point_index p, std::vector<Point_index>& surroundings)
+  template <typename CancellationPoint, typename OnVerdict>
+  void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  {
+    find_certain_sites(cells, cancellation_point);
+    const Cell_labelling labelling = label(cells, cancellation_point);
+    // Once: stars that contradict the second surface would go on to spread.
+    if (is_first && withdraw_contradicted_stars(cells, labelling)) {
+      const Cell_complex more_cells = triangulate(cancellation_point);
+      if (more_cells.size() != 0)
+        complete_with(more_cells, false, cancellation_point, on_verdict);
+    } else {
+      attach(cells, labelling, cancellation_point, on_verdict);
+    }
+  }
+
+  template <typename CancellationPoint>
+  Cell_labelling label(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  {
+    const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
+    Cell_labelling labelling(
+      cells,
+      [&](Cell_index c, std::size_t i) {
+        const Knowledge knowledge = known(Cell_complex::facet(cells[c], i));
+        return knowledge == Knowledge::NONE ? evidence(c, i) : CERTAIN * factor(knowledge);
+      },
+      [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
+    repair(cells, labelling, CERTAIN / 2, cancellation_point);
+    for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
+      const double certain = orient_energy(cells, labelling, cancellation_point);
+      labelling.relax(cancellation_point);
+      repair(cells, labelling, certain / 2, cancellation_point);
+    }
+    return labelling;
+  }
+
+  template <typename CancellationPoint>
+  void repair(const Cell_complex& cells, Cell_labelling& labelling, double maximum_loss, CancellationPoint& cancellation_point) const
+  {
+    Labelling_repair<Cell_labelling> repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); },
+                                            maximum_loss, false, cancellation_point);
+    repair(cancellation_point);
+  }
+
+  // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
+  // sites there, or nothing, because points beyond the sites are unknown.
+  enum class Knowledge { NONE, ON_SURFACE, OFF_SURFACE, IRRELEVANT };
+
+  Knowledge known(const Facet& f) const
+  {
+    if (Cell_complex::is_infinite(f)) {
+      for (Point_index p : f)
+        if (p != NO_POINT && (is_conflict(p) || is_certain(p)))
+          return Knowledge::OFF_SURFACE;
+      return Knowledge::IRRELEVANT;
+    }
+    if (has_triangle(f))
+      return Knowledge::ON_SURFACE;
+    return is_certain(f[0]) || is_certain(f[1]) || is_certain(f[2]) ? Knowledge::OFF_SURFACE : Knowledge::NONE;
+  }
+
+  static double factor(Knowledge knowledge)
+  {
+    return knowledge == Knowledge::ON_SURFACE ? 1. : knowledge == Knowledge::OFF_SURFACE ? -1. : 0.;
+  }
+
+  // The connected part of the surface that the facet belongs to, flipped if the cell lies behind it.
+  std::optional<Parity_union_find::Oriented_root> chart(const Cell_complex& cells, Cell_index c, std::size_t i) const
+  {
+    const Facet f = Cell_complex::facet(cells[c], i);
+    if (Cell_complex::is_infinite(f))
+      return std::nullopt;
+    auto result = m_builder.orientation(f[0], f[1], f[2]);
+    if (result && i % 2 == 0)
+      result->is_flipped = !result->is_flipped;
+    return result;
+  }
+
+  // Sets the energy of surfaces that follow the normals of the present one; returns the cost of a facet
+  // that is known not to be on the surface. Costs are in units of the mean area of its facets.
+  template <typename CancellationPoint>
+  double orient_energy(const Cell_complex& cells, Cell_labelling& labelling, CancellationPoint& cancellation_point)
+  {
+    const double unit = estimate_normals(cells, labelling, cancellation_point);
+    const Oriented_labelling oriented(cells, m_points, m_normals, Cell_signs(cells, m_points, m_normals).template compute<Sequential_tag>());
+    double certain = 1.;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      certain += area_of(cells, oriented, c) / unit;
+    labelling.set_energy(
+      [&](Cell_index c, std::size_t i) {
+        cancellation_point();
+        const Facet f = Cell_complex::facet(cells[c], i);
+        const Knowledge knowledge = known(f);
+        if (knowledge != Knowledge::NONE)
+          return Cell_labelling::Cost{ -certain * factor(knowledge), -certain * factor(knowledge) };
+        const Oriented_labelling::Facet_energy energy = oriented.facet_energy(c, i);
+        return Cell_labelling::Cost{ energy.if_inside / unit, energy.if_outside / unit };
+      },
+      [&](Cell_index c) {
+        return Cell_complex::is_infinite(cells[c]) ? 0. : oriented.outside_preference(c, area_of(cells, oriented, c)) / unit;
+      });
+    return certain;
+  }
+
+  static double area_of(const Cell_complex& cells, const Oriented_labelling& oriented, Cell_index c)
+  {
+    double result = 0.;
+    if (!Cell_complex::is_infinite(cells[c]))
+      for (std::size_t i = 0; i != 4; ++i)
+        result += oriented.facet_energy(c, i).area;
+    return result;
+  }
+
+  double angle(Point_index p, Point_index q, Point_index r) const
+  {
+    const Local_vector a = m_points[q] - m_points[p], b = m_points[r] - m_points[p];
+    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+  }
+
+  // Normals of the surface at the sites, weighted by angles, away from the label; returns the mean area of
+  // its facets.
+  template <typename CancellationPoint>
+  double estimate_normals(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point)
+  {
+    for (Point_index p : m_sites)
+      m_normals[p] = Local_vector(0, 0, 0);
+    double area = 0.;
+    std::size_t facets = 0;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        const Facet f = Cell_complex::facet(cells[c], i);
+        if (!labelling.label(c) || !labelling.is_surface(c, i) || Cell_complex::is_infinite(f))
+          continue;
+        const Local_vector n = (i % 2 == 0 ? .5 : -.5) * cross_product(m_points[f[1]] - m_points[f[0]], m_points[f[2]] - m_points[f[0]]);
+        const double length = std::sqrt(n.squared_length());
+        area += length;
+        ++facets;
+        if (length > 0.)
+          for (std::size_t k = 0; k != 3; ++k)
+            m_normals[f[k]] = m_normals[f[k]] + angle(f[k], f[(k + 1) % 3], f[(k + 2) % 3]) / length * n;
+      }
+    for (Point_index p : m_sites) {
+      const double length = std::sqrt(m_normals[p].squared_length());
+      m_normals[p] = length > 0. ? m_normals[p] / length : Local_vector(0, 0, 0);
+    }
+    return area > 0. ? area / double(facets) : 1.;
+  }
+
+  // Adds a conflict and what it must see.
+  void add_to_cluster(Point_index p)
   {
     m_cluster.push_back(p);
-    // Marked: surroundings overlap so much that all of them take far more memory than the sites.
-    for (Point_index q : surroundings)
+    m_clusters.surroundings(p, m_around);
+    for (Point_index q : m_around)
       if (!m_is_site[q]) {
         m_is_site[q] = 1;
         m_sites.push_back(q);
       }
-    std::vector<Point_index>().swap(surroundings);
   }
 
-  const std::vector<Point_index>& sorted_sites()
+  template <typename CancellationPoint>
+  Cell_complex triangulate(CancellationPoint& cancellation_point)
   {
     std::sort(m_sites.begin(), m_sites.end());
-    return m_sites;
+    return Cell_complex(m_points, m_sites, cancellation_point);
   }
 
   // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
@@ -238,7 +293,7 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
+        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
             !has_triangle(f))
           continue;
         std::sort(f.begin(), f.end());
@@ -254,21 +309,45 @@ private:
       });
     std::sort(withdrawn.begin(), withdrawn.end());
     withdrawn.erase(std::unique(withdrawn.begin(), withdrawn.end()), withdrawn.end());
-    for (const Facet& t : withdrawn) {
-      m_builder.remove(stored_triangle(t));
-      for (Point_index p : t)
-        if (!is_conflict(p)) {
-          m_is_conflict[p] = 1;
-          std::vector<Point_index> around;
-          surroundings(p, around);
-          add_to_cluster(p, around);
-        }
-    }
+    for (const Facet& t : withdrawn)
+      withdraw(t);
     return !withdrawn.empty();
   }
 
-  // The stored triangle with a conflict among its vertices.
-  typename Builder::Triangle_index stored_triangle(const Facet& t) const
+  // An agreed star that the surface of the labelling meets beside its triangles is wrong or leaves no room
+  // for a right one: it is withdrawn and its points join the conflict. Returns whether there was one.
+  bool withdraw_contradicted_stars(const Cell_complex& cells, const Cell_labelling& labelling)
+  {
+    std::vector<Point_index> contradicted;
+    for_each_missing_triangle(cells, labelling, [&](const Triangle& t) {
+      for (Point_index p : t)
+        if (!is_conflict(p) && is_complete(p))
+          contradicted.push_back(p);
+    });
+    std::sort(contradicted.begin(), contradicted.end());
+    contradicted.erase(std::unique(contradicted.begin(), contradicted.end()), contradicted.end());
+    for (Point_index p : contradicted) {
+      std::vector<Triangle> star;
+      m_builder.for_each_triangle_at(p, [&](const Triangle& t) { star.push_back(t); });
+      m_builder.open(p);
+      for (const Triangle& t : star)
+        withdraw(t);
+    }
+    return !contradicted.empty();
+  }
+
+  void withdraw(const Triangle& t)
+  {
+    m_builder.remove(stored_triangle(t));
+    for (Point_index p : t)
+      if (!is_conflict(p)) {
+        m_is_conflict[p] = 1;
+        add_to_cluster(p);
+      }
+  }
+
+  // The stored triangle with an open point among its vertices.
+  typename Builder::Triangle_index stored_triangle(const Triangle& t) const
   {
     const std::size_t i = m_builder.is_open(t[0]) ? 0 : m_builder.is_open(t[1]) ? 1 : 2;
     return m_builder.find_triangle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
@@ -290,7 +369,7 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || is_infinite(f) || !has_triangle(f))
+        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) || !has_triangle(f))
           continue;
         for (Point_index p : f)
           ++facets_at[site(p)];
@@ -308,98 +387,29 @@ private:
     return static_cast<std::size_t>(std::lower_bound(m_sites.begin(), m_sites.end(), p) - m_sites.begin());
   }
   bool is_certain(Point_index p) const { return m_is_certain[site(p)] != 0; }
-  static bool is_infinite(const Facet& f) { return f[0] == NO_POINT || f[1] == NO_POINT || f[2] == NO_POINT; }
 
-  struct Sphere { Local_point center; double radius; };
-
-  template <typename CancellationPoint>
-  void compute_spheres(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  // Calls visit(triangle) for the facets between the labels at conflicts that the surface lacks.
+  template <typename Visit>
+  void for_each_missing_triangle(const Cell_complex& cells, const Cell_labelling& labelling, const Visit& visit) const
   {
-    m_spheres.resize(cells.size());
-    for (Cell_index c = 0; c != cells.size(); ++c) {
-      cancellation_point();
-      if (!Cell_complex::is_infinite(cells[c]))
-        m_spheres[c] = circumsphere(cells[c].vertices);
-    }
-  }
-
-  Sphere circumsphere(const std::array<Point_index, 4>& v) const
-  {
-    const Local_point& o = m_points[v[0]];
-    const Local_vector a = m_points[v[1]] - o, b = m_points[v[2]] - o, c = m_points[v[3]] - o;
-    const Local_vector numerator = a.squared_length() * cross_product(b, c) + b.squared_length() * cross_product(c, a) +
-                                   c.squared_length() * cross_product(a, b);
-    const Local_vector offset = numerator / (2. * (cross_product(a, b) * c));
-    return Sphere{ o + offset, std::sqrt(offset.squared_length()) };
-  }
-
-  // How the facet wants the labels of its cells to differ: known, or from the votes of the stars and
-  // from the angle at which the circumscribed spheres of the cells meet (Amenta, Choi and Kolluri,
-  // The power crust, 2001).
-  double weight(const Cell_complex& cells, Cell_index c, std::size_t i) const
-  {
-    const Facet f = Cell_complex::facet(cells[c], i);
-    if (is_infinite(f)) {
-      for (Point_index p : f)
-        if (p != NO_POINT && (is_conflict(p) || is_certain(p)))
-          return -CERTAIN;
-      return 0.;
-    }
-    if (has_triangle(f))
-      return CERTAIN;
-    if (is_certain(f[0]) || is_certain(f[1]) || is_certain(f[2]))
-      return -CERTAIN;
-    constexpr double trust[4] = { -1., -.2, .2, 1.5 };
-    return trust[votes(f)] - cosine_of_spheres(cells, f, c, cells[c].neighbors[i]);
-  }
-
-  std::size_t votes(const Facet& f) const
-  {
-    const Star_table& stars = m_builder.compatibility().stars();
-    std::size_t result = 0;
-    for (std::size_t i = 0; i != 3; ++i)
-      if (stars.view(f[i], f[(i + 1) % 3], f[(i + 2) % 3]) != Star_table::View::ABSENT)
-        ++result;
-    return result;
-  }
-
-  double cosine_of_spheres(const Cell_complex& cells, const Facet& f, Cell_index c, Cell_index d) const
-  {
-    const double x = height(cells, f, c), y = height(cells, f, d);
-    return std::sqrt((1. - x * x) * (1. - y * y)) - x * y;
-  }
-
-  // Signed distance of the center of the cell's sphere to the facet, towards the cell, over the radius.
-  double height(const Cell_complex& cells, const Facet& f, Cell_index c) const
-  {
-    if (Cell_complex::is_infinite(cells[c]))
-      return 1.;
-    Point_index apex = NO_POINT;
-    for (Point_index p : cells[c].vertices)
-      if (p != f[0] && p != f[1] && p != f[2])
-        apex = p;
-    const Local_point& o = m_points[f[0]];
-    const Local_vector n = cross_product(m_points[f[1]] - o, m_points[f[2]] - o);
-    const double side = n * (m_points[apex] - o) < 0. ? -1. : 1.;
-    const double length = std::sqrt(n.squared_length()) * m_spheres[c].radius;
-    const double value = side * (n * (m_spheres[c].center - o)) / length;
-    return value >= -1. && value <= 1. ? value : value > 1. ? 1. : -1.;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        const Facet f = Cell_complex::facet(cells[c], i);
+        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && labelling.is_surface(c, i) && !has_triangle(f) &&
+            (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
+          visit(f);
+      }
   }
 
   template <typename CancellationPoint, typename OnVerdict>
   void attach(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     std::vector<Triangle> surface;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || is_infinite(f) || !labelling.is_surface(c, i) || has_triangle(f) ||
-            !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
-          continue;
-        std::sort(f.begin(), f.end());
-        surface.push_back(f);
-      }
+    for_each_missing_triangle(cells, labelling, [&](Triangle t) {
+      cancellation_point();
+      std::sort(t.begin(), t.end());
+      surface.push_back(t);
+    });
     std::sort(surface.begin(), surface.end());
     for (const Triangle& t : surface) {
       cancellation_point();
@@ -407,24 +417,15 @@ private:
     }
   }
 
-  // Open stars that must follow one another in both directions to make a boundary.
-  static constexpr std::size_t BOUNDARY_LENGTH = 2;
-
-  static constexpr std::size_t CONFLICTS_PER_POLL = 64;
-
-  // Two rings of a regular sample hold 18 points.
-  static constexpr std::size_t NEIGHBORS = 16;
-
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
-  Nearest_neighbors m_neighbors;
-  std::vector<Point_index> m_conflicts;                  // at the beginning, increasing
-  std::vector<unsigned char> m_is_conflict, m_is_site;              // of each point, now
-  std::vector<std::vector<Point_index> > m_surroundings; // of each conflict
-  std::vector<Point_index> m_cluster;                    // conflicts of the current cluster
-  std::vector<Point_index> m_sites;                      // of the current cluster, increasing
-  std::vector<unsigned char> m_is_certain;               // of each site
-  std::vector<Sphere> m_spheres;                         // of the cells
+  Conflict_clusters<Builder> m_clusters;
+  std::vector<unsigned char> m_is_conflict, m_is_site; // of each point, now
+  std::vector<Local_vector> m_normals;                 // of each site
+  std::vector<Point_index> m_cluster;                  // conflicts of the current cluster
+  std::vector<Point_index> m_sites;                    // of the current cluster, increasing
+  std::vector<Point_index> m_around;
+  std::vector<unsigned char> m_is_certain;             // of each site
 };
 
 } // namespace internal

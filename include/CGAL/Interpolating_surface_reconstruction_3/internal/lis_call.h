@@ -33,6 +33,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -119,12 +120,12 @@ bool reconstruct_lis(const PointRange& points, const Write& write, const NamedPa
   Progress<Visitor> progress(callback, visitor);
   visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
   const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, traits);
-  const std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
+  std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
   visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
 
   using Reconstructor = Lis_reconstructor_3<ConcurrencyTag, Traits, typename Types::Star_construction, Visitor>;
   Lis_surface surface;
-  const bool is_complete = Reconstructor(cloud, normals, construction, options, progress)(surface);
+  const bool is_complete = Reconstructor(cloud, std::move(normals), construction, options, progress)(surface);
   if (is_complete)
     write(cloud, surface);
   visitor.on_reconstruction_end(!is_complete);

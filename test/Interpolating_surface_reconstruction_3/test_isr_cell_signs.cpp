@@ -1,0 +1,214 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Signs of cells, their labelling, its relaxation, and minimum cuts.
+
+#include "isr_test_lis.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+
+#include <limits>
+#include <numeric>
+#include <vector>
+
+using namespace isr_test;
+namespace in = CGAL::Interpolating_surface_reconstruction_3::internal;
+using Cell_index = in::Cell_complex::Cell_index;
+
+namespace {
+
+// Samples with their Delaunay cells.
+struct Cells
+{
+  std::vector<in::Local_point> positions;
+  std::vector<in::Local_vector> normals;
+  in::Cell_complex cells;
+
+  explicit Cells(const Oriented_points& samples)
+    : positions(to_positions(samples)), normals(to_normals(samples)), cells(positions, all(samples.size()))
+  { }
+
+  static std::vector<in::Local_point> to_positions(const Oriented_points& samples)
+  {
+    std::vector<in::Local_point> result;
+    for (const Oriented_point& s : samples)
+      result.emplace_back(s.first.x(), s.first.y(), s.first.z());
+    return result;
+  }
+
+  static std::vector<in::Local_vector> to_normals(const Oriented_points& samples)
+  {
+    std::vector<in::Local_vector> result;
+    for (const Oriented_point& s : samples) {
+      const in::Local_vector n(s.second.x(), s.second.y(), s.second.z());
+      result.push_back(n / std::sqrt(n.squared_length()));
+    }
+    return result;
+  }
+
+  static std::vector<in::Point_index> all(std::size_t n)
+  {
+    std::vector<in::Point_index> result(n);
+    std::iota(result.begin(), result.end(), in::Point_index(0));
+    return result;
+  }
+
+  std::vector<float> signs() const
+  {
+    return in::Cell_signs(cells, positions, normals).compute<CGAL::Sequential_tag>();
+  }
+};
+
+Oriented_points sphere(std::size_t n)
+{
+  return with_normals(sphere_fibonacci(n).points, [](const Point& p) { return p - CGAL::ORIGIN; });
+}
+
+void test_signs()
+{
+  begin_case("signs in a sphere");
+  const Cells s(sphere(600));
+  const std::vector<float> signs = s.signs();
+  for (std::size_t c = 0; c != s.cells.size(); ++c)
+    ISR_CHECK((signs[c] > 0.f) == in::Cell_complex::is_infinite(s.cells[c]));
+  ISR_CHECK((in::Cell_signs(s.cells, s.positions, s.normals).compute<CGAL::Parallel_if_available_tag>() == signs));
+
+  begin_case("signs between two spheres, of which the inner one is a void");
+  Oriented_points shell = sphere(600);
+  for (const Oriented_point& p : sphere(300))
+    shell.emplace_back(CGAL::ORIGIN + .6 * (p.first - CGAL::ORIGIN), -p.second);
+  const Cells t(shell);
+  const std::vector<float> values = t.signs();
+  for (std::size_t c = 0; c != t.cells.size(); ++c) {
+    if (in::Cell_complex::is_infinite(t.cells[c]))
+      continue;
+    std::size_t inner = 0;
+    for (in::Point_index p : t.cells[c].vertices)
+      inner += p >= 600 ? 1u : 0u;
+    ISR_CHECK((values[c] > 0.f) == (inner == 4));
+  }
+}
+
+// The sum of the energies of all facets and cells, by definition.
+double energy(const Cells& s, const std::vector<float>& values, const in::Oriented_labelling& labelling)
+{
+  double result = 0.;
+  for (Cell_index c = 0; c != s.cells.size(); ++c) {
+    double area = 0.;
+    for (std::size_t i = 0; i != 4; ++i) {
+      const auto f = in::Cell_complex::facet(s.cells[c], i);
+      if (in::Cell_complex::is_infinite(f))
+        continue;
+      in::Local_vector n = CGAL::cross_product(s.positions[f[1]] - s.positions[f[0]], s.positions[f[2]] - s.positions[f[0]]) / 2;
+      const double size = std::sqrt(n.squared_length());
+      area += size;
+      if (!in::Cell_complex::is_infinite(s.cells[c]) && n * (s.positions[s.cells[c].vertices[i]] - s.positions[f[0]]) > 0.)
+        n = -n;
+      if (labelling.label(c) && labelling.is_surface(c, i))
+        result += size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
+    }
+    if (!in::Cell_complex::is_infinite(s.cells[c]) && labelling.label(c) != (values[c] < 0.f))
+      result += std::abs(double(values[c])) * area;
+  }
+  return result;
+}
+
+void test_gain()
+{
+  begin_case("gains are differences of the energy");
+  Random random(3);
+  Oriented_points samples;
+  for (const Point& p : random_cube(60, 2))
+    samples.emplace_back(p, random.unit());
+  const Cells s(samples);
+  const std::vector<float> values = s.signs();
+  in::Oriented_labelling labelling(s.cells, s.positions, s.normals, values);
+  for (Cell_index c = 0; c != s.cells.size(); ++c) {
+    if (in::Cell_complex::is_infinite(s.cells[c])) {
+      ISR_CHECK_EQUAL(labelling.gain(c), -std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const double gain = labelling.gain(c), before = energy(s, values, labelling);
+    labelling.flip(c);
+    ISR_CHECK(std::abs(before - energy(s, values, labelling) - gain) < 1e-6);
+    ISR_CHECK(std::abs(labelling.gain(c) + gain) < 1e-9);
+    if (c % 2 == 0)
+      labelling.flip(c);
+  }
+  begin_case("relaxation ends where no cell wins");
+  const double before = energy(s, values, labelling);
+  in::relax_labels(s.cells, labelling);
+  ISR_CHECK(energy(s, values, labelling) < before);
+  for (Cell_index c = 0; c != s.cells.size(); ++c)
+    ISR_CHECK(labelling.gain(c) <= labelling.smallest_gain(c));
+
+  begin_case("repair makes any labelling a manifold");
+  in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  repair();
+  repair.enforce();
+  Triples triples;
+  for (Cell_index c = 0; c != s.cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (labelling.label(c) && labelling.is_surface(c, i)) {
+        const auto f = in::Cell_complex::facet(s.cells[c], i);
+        triples.push_back(i % 2 == 0 ? Triple{ f[0], f[1], f[2] } : Triple{ f[0], f[2], f[1] });
+      }
+  ISR_CHECK(validation::is_vertex_manifold(triples));
+  ISR_CHECK(validation::is_consistently_oriented(triples));
+  ISR_CHECK(validation::boundary_edges(triples).empty());
+}
+
+// A wall of wrong labels in the gap between two boxes is removed by the cut.
+void test_minimum_cut()
+{
+  begin_case("minimum cut");
+  Oriented_points samples;
+  for (double x : { 0., 6.5 })
+    for (const Point& p : box(6, 6, 6).points)
+      samples.emplace_back(p + Vector(x, 0, 0), normal_of_box(p, Point(0, 0, 0), Point(6, 6, 6)));
+  const Cells s(samples);
+  in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
+  in::relax_labels(s.cells, labelling);
+  in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  repair();
+  const auto labelled_inside_gap = [&] {
+    std::size_t result = 0;
+    for (Cell_index c = 0; c != s.cells.size(); ++c) {
+      if (!labelling.label(c))
+        continue;
+      std::size_t right = 0;
+      for (in::Point_index p : s.cells[c].vertices)
+        right += s.positions[p].x() > 6.2 ? 1u : 0u;
+      result += right != 0 && right != 4 ? 1u : 0u;
+    }
+    return result;
+  };
+  // the averaged normals at the edges mislead the signs at the corners of the gap
+  ISR_CHECK(labelled_inside_gap() > 0);
+  in::Label_minimum_cut cut(s.cells, labelling);
+  cut(repair);
+  ISR_CHECK_EQUAL(labelled_inside_gap(), 0u);
+  ISR_CHECK_EQUAL(repair(), 0u);
+}
+
+} // namespace
+
+int main()
+{
+  test_signs();
+  test_gain();
+  test_minimum_cut();
+  return result();
+}
