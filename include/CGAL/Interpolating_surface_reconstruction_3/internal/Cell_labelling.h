@@ -117,13 +117,13 @@ public:
   // Gains below this are rounding errors of sums of weights.
   double smallest_gain(Cell_index) const { return 1e-9; }
 
-  // Changes single cells as long as that wins.
-  void relax() { relax(No_cancellation()); }
+  // Changes single cells as long as that wins; returns them.
+  std::vector<Cell_index> relax() { return relax(No_cancellation()); }
 
   template <typename Cancellation_point>
-  void relax(Cancellation_point&& cancellation_point)
+  std::vector<Cell_index> relax(Cancellation_point&& cancellation_point)
   {
-    relax_labels(m_cells, *this, cancellation_point);
+    return relax_labels(m_cells, *this, cancellation_point);
   }
 
 private:

@@ -62,6 +62,15 @@ public:
     return Facet_energy{ area - along, area + along, area };
   }
 
+  // Of the facets of a finite cell.
+  double area(Cell_index c) const
+  {
+    double result = 0.;
+    for (std::size_t i = 0; i != 4; ++i)
+      result += std::sqrt(normal_of(Cell_complex::facet(m_cells[c], i)).squared_length()) / 2;
+    return result;
+  }
+
   // Negative if the cell wants to be inside, in units of area.
   double outside_preference(Cell_index c, double total_area) const { return double(m_values[c]) * total_area; }
 

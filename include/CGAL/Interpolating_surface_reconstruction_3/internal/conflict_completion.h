@@ -16,21 +16,18 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-
-#include <CGAL/tags.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/oriented_energy.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -48,7 +45,7 @@ class Conflict_completion
 {
 public:
   Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
-    : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder)
+    : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder), m_oriented_energy(points)
   { }
 
   // Ends early if cancelled.
@@ -59,7 +56,8 @@ public:
       return;
     m_is_conflict.assign(m_points.size(), 0);
     m_is_site.assign(m_points.size(), 0);
-    m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
+    m_is_certain.assign(m_points.size(), 0);
+    m_facets_at.assign(m_points.size(), 0);
     for (Point_index p : m_clusters.conflicts())
       m_is_conflict[p] = 1;
     std::size_t done = 0;
@@ -86,7 +84,7 @@ private:
   static constexpr double CERTAIN = 20.;
 
   // The normals of the third surface hardly differ from those of the second one.
-  static constexpr std::size_t ORIENTED_ROUNDS = 3;
+  static constexpr std::size_t ORIENTED_ROUNDS = 2;
 
   // Whether the surface at the point is one closed fan.
   bool is_complete(Point_index p) const
@@ -118,7 +116,7 @@ private:
   template <typename CancellationPoint, typename OnVerdict>
   void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
-    find_certain_sites(cells, cancellation_point);
+    gather_knowledge(cells, cancellation_point);
     const Cell_labelling labelling = label(cells, cancellation_point);
     // Once: stars that contradict the second surface would go on to spread.
     if (is_first && withdraw_contradicted_stars(cells, labelling)) {
@@ -134,133 +132,103 @@ private:
   Cell_labelling label(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
     const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
+    const auto known = [&](Cell_index c, std::size_t i) { return certainty(m_knowledge[c][i]); };
     Cell_labelling labelling(
       cells,
       [&](Cell_index c, std::size_t i) {
-        const Knowledge knowledge = known(Cell_complex::facet(cells[c], i));
-        return knowledge == Knowledge::NONE ? evidence(c, i) : CERTAIN * factor(knowledge);
+        const std::optional<double> on_surface = known(c, i);
+        return on_surface ? CERTAIN * *on_surface : evidence(c, i);
       },
       [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
-    repair(cells, labelling, CERTAIN / 2, cancellation_point);
+    Labelling_repair<Cell_labelling> repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; },
+                                            CERTAIN / 2, false, cancellation_point);
+    repair(cancellation_point);
     for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
-      const double certain = orient_energy(cells, labelling, cancellation_point);
-      labelling.relax(cancellation_point);
-      repair(cells, labelling, certain / 2, cancellation_point);
+      const double certain = m_oriented_energy(cells, labelling, known, cancellation_point);
+      const std::vector<Cell_index> changed = labelling.relax(cancellation_point);
+      repair.again(changed, certain / 2, cancellation_point);
     }
     return labelling;
   }
 
-  template <typename CancellationPoint>
-  void repair(const Cell_complex& cells, Cell_labelling& labelling, double maximum_loss, CancellationPoint& cancellation_point) const
-  {
-    Labelling_repair<Cell_labelling> repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || is_certain(p); },
-                                            maximum_loss, false, cancellation_point);
-    repair(cancellation_point);
-  }
-
   // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
   // sites there, or nothing, because points beyond the sites are unknown.
-  enum class Knowledge { NONE, ON_SURFACE, OFF_SURFACE, IRRELEVANT };
+  enum class Knowledge : unsigned char { NONE, ON_SURFACE, OFF_SURFACE, IRRELEVANT };
 
-  Knowledge known(const Facet& f) const
+  template <typename CancellationPoint>
+  void gather_knowledge(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
-    if (Cell_complex::is_infinite(f)) {
-      for (Point_index p : f)
-        if (p != NO_POINT && (is_conflict(p) || is_certain(p)))
-          return Knowledge::OFF_SURFACE;
-      return Knowledge::IRRELEVANT;
-    }
-    if (has_triangle(f))
-      return Knowledge::ON_SURFACE;
-    return is_certain(f[0]) || is_certain(f[1]) || is_certain(f[2]) ? Knowledge::OFF_SURFACE : Knowledge::NONE;
+    m_knowledge.assign(cells.size(), { { Knowledge::NONE, Knowledge::NONE, Knowledge::NONE, Knowledge::NONE } });
+    find_triangles(cells, cancellation_point);
+    find_certain_sites(cells, cancellation_point);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        if (m_knowledge[c][i] == Knowledge::NONE)
+          m_knowledge[c][i] = knowledge_beside_triangles(Cell_complex::facet(cells[c], i));
+      }
   }
 
-  static double factor(Knowledge knowledge)
+  Knowledge knowledge_beside_triangles(const Facet& f) const
   {
+    if (!Cell_complex::is_infinite(f))
+      return m_is_certain[f[0]] || m_is_certain[f[1]] || m_is_certain[f[2]] ? Knowledge::OFF_SURFACE : Knowledge::NONE;
+    for (Point_index p : f)
+      if (p != NO_POINT && (is_conflict(p) || m_is_certain[p]))
+        return Knowledge::OFF_SURFACE;
+    return Knowledge::IRRELEVANT;
+  }
+
+  template <typename CancellationPoint>
+  void find_triangles(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  {
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        const Facet f = Cell_complex::facet(cells[c], i);
+        if (!Cell_complex::is_infinite(f) && has_triangle(f))
+          m_knowledge[c][i] = Knowledge::ON_SURFACE;
+      }
+  }
+
+  // A site is certain if its fan is closed and made of facets of the cells.
+  template <typename CancellationPoint>
+  void find_certain_sites(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  {
+    for (Point_index p : m_sites)
+      m_facets_at[p] = 0;
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        if (cells[c].neighbors[i] >= c && m_knowledge[c][i] == Knowledge::ON_SURFACE)
+          for (Point_index p : Cell_complex::facet(cells[c], i))
+            ++m_facets_at[p];
+      }
+    for (Point_index p : m_sites) {
+      std::uint32_t triangles = 0;
+      m_builder.for_each_triangle_at(p, [&](const Triangle&) { ++triangles; });
+      m_is_certain[p] = !is_conflict(p) && is_complete(p) && m_facets_at[p] == triangles ? 1 : 0;
+    }
+  }
+
+  // Whether a facet is on the surface, or not, or does not matter; empty if nothing is known.
+  static std::optional<double> certainty(Knowledge knowledge)
+  {
+    if (knowledge == Knowledge::NONE)
+      return std::nullopt;
     return knowledge == Knowledge::ON_SURFACE ? 1. : knowledge == Knowledge::OFF_SURFACE ? -1. : 0.;
   }
 
   // The connected part of the surface that the facet belongs to, flipped if the cell lies behind it.
   std::optional<Parity_union_find::Oriented_root> chart(const Cell_complex& cells, Cell_index c, std::size_t i) const
   {
-    const Facet f = Cell_complex::facet(cells[c], i);
-    if (Cell_complex::is_infinite(f))
+    if (m_knowledge[c][i] != Knowledge::ON_SURFACE)
       return std::nullopt;
+    const Facet f = Cell_complex::facet(cells[c], i);
     auto result = m_builder.orientation(f[0], f[1], f[2]);
     if (result && i % 2 == 0)
       result->is_flipped = !result->is_flipped;
     return result;
-  }
-
-  // Sets the energy of surfaces that follow the normals of the present one; returns the cost of a facet
-  // that is known not to be on the surface. Costs are in units of the mean area of its facets.
-  template <typename CancellationPoint>
-  double orient_energy(const Cell_complex& cells, Cell_labelling& labelling, CancellationPoint& cancellation_point)
-  {
-    const double unit = estimate_normals(cells, labelling, cancellation_point);
-    const Oriented_labelling oriented(cells, m_points, m_normals, Cell_signs(cells, m_points, m_normals).template compute<Sequential_tag>());
-    double certain = 1.;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      certain += area_of(cells, oriented, c) / unit;
-    labelling.set_energy(
-      [&](Cell_index c, std::size_t i) {
-        cancellation_point();
-        const Facet f = Cell_complex::facet(cells[c], i);
-        const Knowledge knowledge = known(f);
-        if (knowledge != Knowledge::NONE)
-          return Cell_labelling::Cost{ -certain * factor(knowledge), -certain * factor(knowledge) };
-        const Oriented_labelling::Facet_energy energy = oriented.facet_energy(c, i);
-        return Cell_labelling::Cost{ energy.if_inside / unit, energy.if_outside / unit };
-      },
-      [&](Cell_index c) {
-        return Cell_complex::is_infinite(cells[c]) ? 0. : oriented.outside_preference(c, area_of(cells, oriented, c)) / unit;
-      });
-    return certain;
-  }
-
-  static double area_of(const Cell_complex& cells, const Oriented_labelling& oriented, Cell_index c)
-  {
-    double result = 0.;
-    if (!Cell_complex::is_infinite(cells[c]))
-      for (std::size_t i = 0; i != 4; ++i)
-        result += oriented.facet_energy(c, i).area;
-    return result;
-  }
-
-  double angle(Point_index p, Point_index q, Point_index r) const
-  {
-    const Local_vector a = m_points[q] - m_points[p], b = m_points[r] - m_points[p];
-    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-  }
-
-  // Normals of the surface at the sites, weighted by angles, away from the label; returns the mean area of
-  // its facets.
-  template <typename CancellationPoint>
-  double estimate_normals(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point)
-  {
-    for (Point_index p : m_sites)
-      m_normals[p] = Local_vector(0, 0, 0);
-    double area = 0.;
-    std::size_t facets = 0;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        const Facet f = Cell_complex::facet(cells[c], i);
-        if (!labelling.label(c) || !labelling.is_surface(c, i) || Cell_complex::is_infinite(f))
-          continue;
-        const Local_vector n = (i % 2 == 0 ? .5 : -.5) * cross_product(m_points[f[1]] - m_points[f[0]], m_points[f[2]] - m_points[f[0]]);
-        const double length = std::sqrt(n.squared_length());
-        area += length;
-        ++facets;
-        if (length > 0.)
-          for (std::size_t k = 0; k != 3; ++k)
-            m_normals[f[k]] = m_normals[f[k]] + angle(f[k], f[(k + 1) % 3], f[(k + 2) % 3]) / length * n;
-      }
-    for (Point_index p : m_sites) {
-      const double length = std::sqrt(m_normals[p].squared_length());
-      m_normals[p] = length > 0. ? m_normals[p] / length : Local_vector(0, 0, 0);
-    }
-    return area > 0. ? area / double(facets) : 1.;
   }
 
   // Adds a conflict and what it must see.
@@ -360,34 +328,6 @@ private:
     return m_builder.compatibility().stars().view(f[0], f[1], f[2]) != Star_table::View::ABSENT;
   }
 
-  // A site is certain if its fan is closed and made of facets of the cells.
-  template <typename CancellationPoint>
-  void find_certain_sites(const Cell_complex& cells, CancellationPoint& cancellation_point)
-  {
-    std::vector<std::size_t> facets_at(m_sites.size(), 0);
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        const Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) || !has_triangle(f))
-          continue;
-        for (Point_index p : f)
-          ++facets_at[site(p)];
-      }
-    m_is_certain.assign(m_sites.size(), 0);
-    for (std::size_t s = 0; s != m_sites.size(); ++s) {
-      std::size_t triangles = 0;
-      m_builder.for_each_triangle_at(m_sites[s], [&](const Triangle&) { ++triangles; });
-      m_is_certain[s] = !is_conflict(m_sites[s]) && is_complete(m_sites[s]) && facets_at[s] == triangles ? 1 : 0;
-    }
-  }
-
-  std::size_t site(Point_index p) const
-  {
-    return static_cast<std::size_t>(std::lower_bound(m_sites.begin(), m_sites.end(), p) - m_sites.begin());
-  }
-  bool is_certain(Point_index p) const { return m_is_certain[site(p)] != 0; }
-
   // Calls visit(triangle) for the facets between the labels at conflicts that the surface lacks.
   template <typename Visit>
   void for_each_missing_triangle(const Cell_complex& cells, const Cell_labelling& labelling, const Visit& visit) const
@@ -395,8 +335,8 @@ private:
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         const Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && labelling.is_surface(c, i) && !has_triangle(f) &&
-            (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
+        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && labelling.is_surface(c, i) &&
+            m_knowledge[c][i] != Knowledge::ON_SURFACE && (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
           visit(f);
       }
   }
@@ -420,12 +360,14 @@ private:
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
   Conflict_clusters<Builder> m_clusters;
+  Oriented_energy m_oriented_energy;
   std::vector<unsigned char> m_is_conflict, m_is_site; // of each point, now
-  std::vector<Local_vector> m_normals;                 // of each site
+  std::vector<unsigned char> m_is_certain;             // of each site
+  std::vector<std::uint32_t> m_facets_at;              // of each site
+  std::vector<std::array<Knowledge, 4> > m_knowledge;  // of the facets of each cell
   std::vector<Point_index> m_cluster;                  // conflicts of the current cluster
   std::vector<Point_index> m_sites;                    // of the current cluster, increasing
   std::vector<Point_index> m_around;
-  std::vector<unsigned char> m_is_certain;             // of each site
 };
 
 } // namespace internal

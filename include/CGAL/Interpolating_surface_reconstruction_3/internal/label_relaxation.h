@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 
 #include <queue>
+#include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
@@ -34,13 +35,14 @@ struct Label_change
   }
 };
 
-// Changes single cells as long as that wins, the one that wins most first. `Labelling` has gain(c),
+// Changes single cells as long as that wins, the one that wins most first; returns them in this order. `Labelling` has gain(c),
 // what changing cell c wins, smallest_gain(c), below which that is a rounding error, and flip(c). `cancellation_point()` is called again and
 // again and may throw.
 template <typename Labelling, typename Cancellation_point>
-void relax_labels(const Cell_complex& cells, Labelling& labelling, Cancellation_point&& cancellation_point)
+std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, Labelling& labelling, Cancellation_point&& cancellation_point)
 {
   using Cell_index = Cell_complex::Cell_index;
+  std::vector<Cell_index> changed;
   std::priority_queue<Label_change> queue;
   const auto push = [&](Cell_index c) {
     const double gain = labelling.gain(c);
@@ -56,9 +58,11 @@ void relax_labels(const Cell_complex& cells, Labelling& labelling, Cancellation_
     if (labelling.gain(change.cell) != change.gain)
       continue;
     labelling.flip(change.cell);
+    changed.push_back(change.cell);
     for (Cell_index n : cells[change.cell].neighbors)
       push(n);
   }
+  return changed;
 }
 
 } // namespace internal

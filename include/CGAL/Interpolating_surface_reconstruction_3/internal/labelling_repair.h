@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,17 +78,17 @@ public:
       if (m_defects[v] != 0)
         todo.push_back(v);
     }
-    while (!todo.empty()) {
-      const std::size_t v = todo.back();
-      todo.pop_back();
-      cancellation_point(MICROSECONDS_PER_MOVE);
-      if (m_defects[v] == 0 || !improve(v))
-        continue;
-      for (std::size_t w : m_touched)
-        if (m_defects[w] != 0)
-          todo.push_back(w);
-    }
+    repair(std::move(todo), cancellation_point);
     return m_defects.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
+  }
+
+  // To be called after operator() when cells have changed since, to repair what that broke.
+  template <typename Cancellation_point>
+  void again(const std::vector<Cell_index>& changed, double maximum_loss, Cancellation_point&& cancellation_point)
+  {
+    m_maximum_loss = maximum_loss;
+    update_defects(changed);
+    repair(m_touched, cancellation_point);
   }
 
   // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes the
@@ -222,6 +223,21 @@ private:
   {
     const int components = static_cast<int>(find_components(v));
     return components == 1 ? 1 : components - 2;
+  }
+
+  template <typename Cancellation_point>
+  void repair(std::vector<std::size_t> todo, Cancellation_point& cancellation_point)
+  {
+    while (!todo.empty()) {
+      const std::size_t v = todo.back();
+      todo.pop_back();
+      cancellation_point(MICROSECONDS_PER_MOVE);
+      if (m_defects[v] == 0 || !improve(v))
+        continue;
+      for (std::size_t w : m_touched)
+        if (m_defects[w] != 0)
+          todo.push_back(w);
+    }
   }
 
   // Makes the best of the moves at vertex v that lessen the defects; false if there is none. The
