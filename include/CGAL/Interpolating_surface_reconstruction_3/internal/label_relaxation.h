@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 
 #include <queue>
 #include <vector>
@@ -35,11 +36,12 @@ struct Label_change
   }
 };
 
-// Changes single cells as long as that wins, the one that wins most first; returns them in this order. `Labelling` has gain(c),
-// what changing cell c wins, smallest_gain(c), below which that is a rounding error, and flip(c). `cancellation_point()` is called again and
-// again and may throw.
-template <typename Labelling, typename Cancellation_point>
-std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, Labelling& labelling, Cancellation_point&& cancellation_point)
+// Changes single cells as long as that wins, the one that wins most first; returns them in this
+// order. `Labelling` has gain(c), what changing cell c wins, smallest_gain(c), below which that is a
+// rounding error, and flip(c). `cancellation_point()` is called again and again and may throw.
+template <typename Labelling, typename Cancellation_point = No_cancellation>
+std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, Labelling& labelling,
+                                                   Cancellation_point&& cancellation_point = Cancellation_point())
 {
   using Cell_index = Cell_complex::Cell_index;
   std::vector<Cell_index> changed;
