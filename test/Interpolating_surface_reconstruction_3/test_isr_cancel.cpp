@@ -100,13 +100,15 @@ void test_stages()
 {
   const isr::Stage stages[] = { isr::Stage::INDEXING, isr::Stage::STARS, isr::Stage::COMPATIBILITY,
                                 isr::Stage::COMPLETION, isr::Stage::HOLES, isr::Stage::ORIENTATION };
+  std::size_t begun = 0;
   for (const isr::Stage stage : stages) {
+    ++begun;
     begin_case("visitor cancels in stage " + std::to_string(int(stage)));
     Stage_stopping_visitor visitor;
     visitor.last = stage;
     const Triples triples = ctc(sphere(), params::visitor(std::ref(visitor)));
     ISR_CHECK(visitor.is_stopped); // every stage is announced
-    ISR_CHECK_EQUAL(visitor.stages_begun, std::size_t(stage) + 1); // and none follows
+    ISR_CHECK_EQUAL(visitor.stages_begun, begun); // and none follows
     ISR_CHECK_EQUAL(visitor.stages_ended, visitor.stages_begun);
     ISR_CHECK(triples.empty());
     ISR_CHECK(visitor.was_cancelled);
