@@ -93,7 +93,7 @@ private:
 
   // A loop that resists widening this often bounds a surface that would fold onto itself, such as a
   // sheet; it stays open as it was.
-  static constexpr std::size_t MAXIMUM_ROUNDS = 4;
+  static constexpr std::size_t MAXIMUM_ROUNDS = 12;
 
   template <typename IsBoundary, typename Progress, typename OnVerdict>
   std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
