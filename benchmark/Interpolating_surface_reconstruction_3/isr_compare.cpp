@@ -12,12 +12,12 @@
 // Compares CTC with CGAL's advancing front on the same points in the same process.
 
 #include "comparison_report.h"
-#include "mesh_statistics.h"
-#include "model_files.h"
-#include "peak_memory.h"
+#include "measures/mesh_statistics.h"
+#include "models/model_files.h"
+#include "measures/peak_memory.h"
 #include "reconstruction_methods.h"
-#include "self_intersections.h"
-#include "surface_metrics.h"
+#include "measures/self_intersections.h"
+#include "measures/surface_metrics.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -36,7 +36,7 @@ using namespace isr_benchmark;
 struct Options
 {
   Method_options method;
-  std::vector<Method> methods;
+  std::vector<Compared_method> methods;
   std::size_t runs = 3;
   std::size_t intersection_limit = 200000;
   bool with_metrics = true;
@@ -95,7 +95,7 @@ Options parse(int argc, char** argv)
   if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
     throw std::invalid_argument("file missing");
   if (options.methods.empty())
-    options.methods = { Method::AF, Method::CTC };
+    options.methods = { Compared_method::AF, Compared_method::CTC };
   return options;
 }
 
@@ -103,7 +103,7 @@ void measure_memory(const Options& options)
 {
   const Model model = read_model(options.paths.front());
   const Peak_memory memory;
-  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model.points, options.method);
+  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model, options.method);
   const double bytes = static_cast<double>(memory.growth_in_bytes());
   std::cout << model.name << ' ' << name(options.methods.front()) << ": " << model.points.size() << " points, "
             << triangles.size() << " triangles, peak " << bytes / 1e6 << " MB above the points, "
@@ -135,7 +135,7 @@ void compare(const Model& model, const Options& options, Report& report)
       try {
         CGAL::Real_timer timer;
         timer.start();
-        std::vector<Triangle> result = reconstruct(options.methods[m], model.points, options.method);
+        std::vector<Triangle> result = reconstruct(options.methods[m], model, options.method);
         seconds[m].push_back(timer.time());
         triangles[m].swap(result);
       } catch (const std::exception& e) {
@@ -157,7 +157,7 @@ void compare(const Model& model, const Options& options, Report& report)
     row.set_times(seconds[m]);
     row.has_metrics = comparer != nullptr;
     if (comparer)
-      row.metrics = (*comparer)(triangles[m]);
+      row.metrics = (*comparer)(model.points, triangles[m]);
     rows.found.push_back(row);
   }
   report.add(rows);

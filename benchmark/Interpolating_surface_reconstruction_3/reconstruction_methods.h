@@ -12,16 +12,11 @@
 #ifndef ISR_BENCHMARK_RECONSTRUCTION_METHODS_H
 #define ISR_BENCHMARK_RECONSTRUCTION_METHODS_H
 
-#include "model_files.h"
+#include "methods/Advancing_front.h"
+#include "methods/Method.h"
+#include "models/model_files.h"
 
 #include <CGAL/ctc_reconstruction.h>
-
-#include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/Random.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <cstddef>
 #include <iterator>
@@ -31,57 +26,35 @@
 
 namespace isr_benchmark {
 
-enum class Method { AF, CTC };
+enum class Compared_method { AF, CTC };
 
-inline const char* name(Method method) { return method == Method::AF ? "AF" : "CTC"; }
+inline const char* name(Compared_method method) { return method == Compared_method::AF ? "AF" : "CTC"; }
 
-inline Method method_of_name(const std::string& text)
+inline Compared_method method_of_name(const std::string& text)
 {
   if (text == "af" || text == "AF")
-    return Method::AF;
+    return Compared_method::AF;
   if (text == "ctc" || text == "CTC")
-    return Method::CTC;
+    return Compared_method::CTC;
   throw std::invalid_argument("unknown method " + text + " (af, ctc)");
 }
 
 struct Method_options
 {
-  std::size_t threads = 0; // 0: Sequential_tag
+  std::size_t threads = 0; // 0 and 1: Sequential_tag
   bool keep_boundaries = false;
 };
 
-// The Delaunay triangulation inserts in an order drawn from the process-wide generator, on which the
-// result depends; the seed makes every run equal to the first one of a process.
-inline std::vector<Triangle> advancing_front(const std::vector<Point>& points)
+inline std::vector<Triangle> reconstruct(Compared_method method, const Model& model, const Method_options& options)
 {
-  CGAL::get_default_random() = CGAL::Random(0);
-  std::vector<Triangle> triangles;
-  CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(), std::back_inserter(triangles));
-  return triangles;
-}
-
-template <typename ConcurrencyTag>
-std::vector<Triangle> ctc(const std::vector<Point>& points, const Method_options& options)
-{
-  std::vector<Triangle> triangles;
-  CGAL::ctc_reconstruction<ConcurrencyTag>(points, std::back_inserter(triangles),
-                                           CGAL::parameters::keep_boundaries(options.keep_boundaries));
-  return triangles;
-}
-
-inline std::vector<Triangle> reconstruct(Method method, const std::vector<Point>& points,
-                                         const Method_options& options)
-{
-  if (method == Method::AF)
-    return advancing_front(points);
-  if (options.threads == 0)
-    return ctc<CGAL::Sequential_tag>(points, options);
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-  return ctc<CGAL::Parallel_tag>(points, options);
-#else
-  throw std::invalid_argument("--threads: built without TBB");
-#endif
+  if (method == Compared_method::AF)
+    return Advancing_front()(model, 1).triangles;
+  return with_threads(options.threads, [&](auto tag) {
+    Reconstruction result;
+    CGAL::ctc_reconstruction<decltype(tag)>(model.points, std::back_inserter(result.triangles),
+                                            CGAL::parameters::keep_boundaries(options.keep_boundaries));
+    return result;
+  }).triangles;
 }
 
 } // namespace isr_benchmark

@@ -9,8 +9,8 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef ISR_BENCHMARK_PEAK_MEMORY_H
-#define ISR_BENCHMARK_PEAK_MEMORY_H
+#ifndef ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H
+#define ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H
 
 #include <sys/resource.h>
 
@@ -65,4 +65,4 @@ private:
 
 } // namespace isr_benchmark
 
-#endif // ISR_BENCHMARK_PEAK_MEMORY_H
+#endif // ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H
