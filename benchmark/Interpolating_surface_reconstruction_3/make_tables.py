@@ -32,11 +32,11 @@ def parse_arguments():
     parser.add_argument("--largest", type=int, default=1000000, metavar="POINTS",
                         help="largest model of the plots against the number of points (default: 1000000)")
     parser.add_argument("--pixels", type=int, default=320, help="size of the pictures (default: 320)")
-    parser.add_argument("--quick", action="store_true", help="small generated models and one run: three minutes")
+    parser.add_argument("--quick", action="store_true", help="small models and two runs: less than three minutes")
     parser.add_argument("--check", action="store_true", help="check that the results are complete")
     arguments = parser.parse_args()
     if arguments.quick:
-        arguments.runs = 1
+        arguments.runs = 2
         arguments.time_limit = min(arguments.time_limit, 60)
     if arguments.memory_limit == 0:
         memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")

@@ -17,8 +17,6 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Real_timer.h>
 
-#include <sys/resource.h>
-
 #include <ostream>
 #include <stdexcept>
 #include <vector>
@@ -54,10 +52,8 @@ void run_method(const Model& model, const Run_options& options, std::ostream& ou
   // The first run is alone in the process, so that its peak is the peak.
   const Peak_memory memory;
   std::vector<double> seconds = { timed(method, model, options.threads, result) }, baseline;
-  out << "growth_bytes\t" << memory.growth_in_bytes() << '\n';
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  out << "peak_bytes\t" << usage.ru_maxrss * 1024 << '\n';
+  out << "growth_bytes\t" << memory.growth_in_bytes() << '\n'
+      << "peak_bytes\t" << memory.peak() << '\n';
   if (!CGAL::IO::write_PLY(options.mesh_file, result.vertices.empty() ? model.points : result.vertices,
                            result.triangles, CGAL::parameters::use_binary_mode(true)))
     throw std::runtime_error(options.mesh_file + ": cannot be written");

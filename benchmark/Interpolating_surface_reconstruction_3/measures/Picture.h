@@ -121,8 +121,8 @@ public:
   {
     for (const Point& p : points) {
       const auto c = m_camera(p);
-      for (int dx = 0; dx != OVERSAMPLING; ++dx)
-        for (int dy = 0; dy != OVERSAMPLING; ++dy)
+      for (int dx = -1; dx != OVERSAMPLING; ++dx)
+        for (int dy = -1; dy != OVERSAMPLING; ++dy)
           plot(pixel(c[0]) + dx, pixel(-c[1]) + dy, c[2], Color{ .25, .27, .32 });
     }
   }
@@ -198,6 +198,8 @@ private:
                                    std::lround(std::floor((std::min)(limits.second - 0.5, last))));
     };
     const auto columns = range(0), rows = range(1);
+    // Of two triangles on each other, the one that faces the eye is seen.
+    const double tolerance = area < 0. ? -1e-7 : 1e-7; // y points down in the image
     for (long y = rows.first; y <= rows.second; ++y)
       for (long x = columns.first; x <= columns.second; ++x) {
         const std::array<double, 3> q = { double(x) + 0.5, double(y) + 0.5, 0. };
@@ -206,7 +208,7 @@ private:
           continue;
         const double depth = u * p[0][2] + v * p[1][2] + w * p[2][2];
         const std::size_t i = static_cast<std::size_t>(y) * m_size + static_cast<std::size_t>(x);
-        if (depth > m_depth[i]) {
+        if (depth > m_depth[i] + tolerance) {
           m_depth[i] = depth;
           visit(i);
         }

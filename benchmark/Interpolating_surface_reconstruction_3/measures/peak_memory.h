@@ -45,7 +45,7 @@ public:
     return now > m_before ? now - m_before : 0;
   }
 
-private:
+  // Of the whole process, as far as it was reset above: getrusage() still knows the process before exec().
   static std::size_t peak()
   {
     std::ifstream status("/proc/self/status");
@@ -60,6 +60,7 @@ private:
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   }
 
+private:
   std::size_t m_before;
 };
 

@@ -31,11 +31,11 @@ def of_folder(folder, group):
     return models
 
 
-def of_debian(archive, folder):
+def of_debian(archive, folder, quick):
     """The models of the list that are in the archive of data of Debian's package libcgal-dev."""
     if not os.path.exists(archive):
         return []
-    names = [row["file"] for row in read_csv("debian_models.csv")]
+    names = [row["file"] for row in read_csv("debian_models.csv") if row["quick"] == "yes" or not quick]
     os.makedirs(folder, exist_ok=True)
     missing = [name for name in names if not os.path.exists(os.path.join(folder, os.path.basename(name)))]
     if missing:
@@ -51,8 +51,7 @@ def all_models(folders, archive, work, quick, selection):
     models = generated(quick)
     for folder in folders:
         models += of_folder(folder, "folder")
-    if not quick:
-        models += of_debian(archive, work)
+    models += of_debian(archive, work, quick)
     unique = {}
     for model in models:
         unique.setdefault(model["name"], model)
