@@ -32,6 +32,7 @@ def parse_arguments():
     parser.add_argument("--largest", type=int, default=1000000, metavar="POINTS",
                         help="largest model of the plots against the number of points (default: 1000000)")
     parser.add_argument("--pixels", type=int, default=320, help="size of the pictures (default: 320)")
+    parser.add_argument("--retry", action="store_true", help="run jobs again that failed before")
     parser.add_argument("--quick", action="store_true", help="small models and two runs: less than three minutes")
     parser.add_argument("--check", action="store_true", help="check that the results are complete")
     arguments = parser.parse_args()
@@ -140,7 +141,7 @@ def main():
                         [word for word in arguments.only.split(",") if word])
     sizes = scaling_sizes(arguments.quick, arguments.largest)
     runner = Runner(arguments.program, arguments.output, Limits(arguments.time_limit, arguments.memory_limit),
-                    arguments.runs, arguments.pixels)
+                    arguments.runs, arguments.pixels, arguments.retry)
     jobs = (len(models) + len(sizes)) * sum(len(thread_counts(method, arguments.threads)) for method in methods)
     print("%d models, %d methods, %d jobs; interrupt and run again to resume" % (len(models), len(methods), jobs),
           flush=True)

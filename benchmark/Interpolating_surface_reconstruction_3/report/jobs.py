@@ -82,8 +82,9 @@ def list_methods(program):
 class Store:
     """One file a row. A row that is there is not made again, so that a run can be resumed."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, retry):
         self.folder = folder
+        self.retry = retry  # whether a row of a failure counts as none
         os.makedirs(folder, exist_ok=True)
 
     def _file(self, key):
@@ -92,7 +93,8 @@ class Store:
     def load(self, key):
         try:
             with open(self._file(key)) as file:
-                return json.load(file)
+                row = json.load(file)
+            return None if self.retry and row["status"] != "ok" else row
         except (FileNotFoundError, ValueError):
             return None
 
@@ -104,13 +106,13 @@ class Store:
 
 
 class Runner:
-    def __init__(self, program, output, limits, runs, pixels):
+    def __init__(self, program, output, limits, runs, pixels, retry):
         self.program = program
         self.output = output
         self.limits = limits
         self.runs = runs
         self.pixels = pixels
-        self.store = Store(os.path.join(output, "rows"))
+        self.store = Store(os.path.join(output, "rows"), retry)
         for folder in ("meshes", "pictures"):
             os.makedirs(os.path.join(output, folder), exist_ok=True)
 

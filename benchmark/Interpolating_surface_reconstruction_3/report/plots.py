@@ -34,6 +34,11 @@ def _style(key):
     return {"color": COLORS.get(key, "#333333"), "marker": MARKERS.get(key, "*")}
 
 
+def _legend(axes, **options):
+    if axes.get_legend_handles_labels()[0]:  # none if every method failed
+        axes.legend(fontsize=7, frameon=False, **options)
+
+
 def _save(figure, folder, name):
     file = os.path.join(folder, name + ".svg")
     figure.tight_layout()
@@ -93,7 +98,7 @@ def _comparison(results, folder, number, chapter, quantity):
         axes.axvline(j - 0.5, color="#eeeeee", linewidth=0.8, zorder=0)
     axes.set_ylabel(LABELS[quantity.replace("true_", "thesis_")], fontsize=9)
     axes.grid(axis="y", color="#dddddd", linewidth=0.5)
-    axes.legend(fontsize=7, ncol=4, loc="lower left", bbox_to_anchor=(0, 1.0), frameon=False)
+    _legend(axes, ncol=4, loc="lower left", bbox_to_anchor=(0, 1.0))
     return _save(figure, folder, "figure-" + number.replace(".", "-"))
 
 
@@ -131,7 +136,7 @@ def _scaling(results, folder, name, label, value):
     axes.set_xlabel("points")
     axes.set_ylabel(label)
     axes.grid(which="major", color="#dddddd", linewidth=0.5)
-    axes.legend(fontsize=7, frameon=False, loc="upper left")
+    _legend(axes, loc="upper left")
     return _save(figure, folder, name)
 
 
@@ -151,7 +156,7 @@ def _histogram(results, folder):
     axes.set_xlabel("regularity of a triangle (Eq. 3.1), 1.5 for equilateral ones")
     axes.set_ylabel("triangles (%), mean of models")
     axes.grid(color="#dddddd", linewidth=0.5)
-    axes.legend(fontsize=7, frameon=False)
+    _legend(axes)
     return _save(figure, folder, "regularity")
 
 
