@@ -33,6 +33,7 @@ def parse_arguments():
                         help="largest model of the plots against the number of points (default: 1000000)")
     parser.add_argument("--pixels", type=int, default=320, help="size of the pictures (default: 320)")
     parser.add_argument("--retry", action="store_true", help="run jobs again that failed before")
+    parser.add_argument("--report", action="store_true", help="run nothing: report on the jobs run so far")
     parser.add_argument("--quick", action="store_true", help="small models and two runs: less than three minutes")
     parser.add_argument("--check", action="store_true", help="check that the results are complete")
     arguments = parser.parse_args()
@@ -83,12 +84,16 @@ def thread_counts(method, threads):
 def run_models(runner, models, methods, threads, progress):
     rows, references = [], {}
     for model in models:
-        references[model["name"]] = runner.reference(model)
+        reference = runner.reference(model)
+        if reference is None:
+            continue
+        references[model["name"]] = reference
         for method in methods:
             for count in thread_counts(method, threads):
                 row, is_new = runner.row(model, method, count)
-                rows.append(row)
-                progress.report(row, is_new)
+                if row is not None:
+                    rows.append(row)
+                    progress.report(row, is_new)
     return rows, references
 
 
@@ -101,6 +106,8 @@ def run_scaling(runner, sizes, methods, threads, progress):
                     progress.done += 1
                     continue
                 row, is_new = runner.row(scaling_model(size), method, count, measured=False)
+                if row is None:
+                    continue
                 rows.append(row)
                 progress.report(row, is_new)
                 if row["status"] != "ok":  # larger ones would fail as well
@@ -141,14 +148,15 @@ def main():
                         [word for word in arguments.only.split(",") if word])
     sizes = scaling_sizes(arguments.quick, arguments.largest)
     runner = Runner(arguments.program, arguments.output, Limits(arguments.time_limit, arguments.memory_limit),
-                    arguments.runs, arguments.pixels, arguments.retry)
+                    arguments.runs, arguments.pixels, arguments.retry, arguments.report)
     jobs = (len(models) + len(sizes)) * sum(len(thread_counts(method, arguments.threads)) for method in methods)
     print("%d models, %d methods, %d jobs; interrupt and run again to resume" % (len(models), len(methods), jobs),
           flush=True)
     progress = Progress(jobs)
     rows, references = run_models(runner, models, methods, arguments.threads, progress)
     scaling = run_scaling(runner, sizes, methods, arguments.threads, progress)
-    results = Results(methods, models, rows, references, scaling, environment(arguments))
+    measured = [model for model in models if model["name"] in references]
+    results = Results(methods, measured, rows, references, scaling, environment(arguments))
     write_report(results, arguments.output)
     print("The report is %s" % os.path.abspath(os.path.join(arguments.output, "index.html")))
     if arguments.check:

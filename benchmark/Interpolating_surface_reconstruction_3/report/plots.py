@@ -142,7 +142,10 @@ def _scaling(results, folder, name, label, value):
 
 def _histogram(results, folder):
     sums = {}
+    with_original = {name for name, row in results.references.items() if row.get("triangles")}
     for row in list(results.references.values()) + results.all_rows:
+        if with_original and row["model"] not in with_original:
+            continue  # all curves are about the same models
         if row["status"] == "ok" and row.get("triangles") and row["threads"] <= 1 and "regularity_histogram" in row:
             counts = [n / row["triangles"] for n in row["regularity_histogram"]]
             sums.setdefault(row["method"], []).append(counts)
