@@ -130,7 +130,7 @@ def write_report(results, output):
     for folder in (table_folder, plot_folder):
         os.makedirs(folder, exist_ok=True)
     own_tables = [tables.summary(results), tables.measures(results), tables.absolute(results), tables.times(results),
-                  tables.regularity(results)]
+                  tables.scaling(results), tables.regularity(results)]
     of_thesis = thesis_tables.all_tables(results)
     for table in own_tables + of_thesis + [page.models_table(results), page.originals_table()]:
         table.write(table_folder)

@@ -16,7 +16,7 @@ def _require(condition, message):
 
 
 def _check_files(output):
-    names = ["summary", "measures", "absolute", "times", "regularity", "models", "originals"]
+    names = ["summary", "measures", "absolute", "times", "scaling", "ratios", "regularity", "models", "originals"]
     names += ["table-" + table.replace(".", "-")
               for table in [entry[0] for entry in thesis.MESH_TABLES + thesis.TIME_TABLES]]
     for name in names:

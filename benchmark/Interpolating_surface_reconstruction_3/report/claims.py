@@ -1,7 +1,7 @@
 """The thesis's claims, each answered with the numbers of the run."""
 
 from . import thesis
-from .results import best, is_closed
+from .results import is_closed, ratio_to_front
 from .table import number
 
 INTERPOLATING = ["ctc", "ctc-thesis", "pcr", "af"]
@@ -9,7 +9,8 @@ APPROXIMATING = ["scale-space", "poisson"]
 
 RULE = ("Verdicts follow one rule: a claim 'holds' if it does in all comparisons, 'mostly holds' in at least two "
         "thirds, 'does not hold' in at most one third, else it is 'undecided'. Comparisons are on models with an "
-        "original mesh; equal values support a claim of 'not above'.")
+        "original mesh; equal values support a claim of 'not above'. Times are "
+        "compared as multiples of the advancing front's, which ran in turn with every method.")
 
 
 def _verdict(good, total):
@@ -30,7 +31,10 @@ class Judge:
         row = self.results.ok(name, key)
         if row is None:
             return None
-        return best(row) if quantity == "seconds" else row.get(quantity)
+        if quantity == "seconds":  # in those of the advancing front, which ran in turn with the method
+            ratio = 1.0 if key == "af" else ratio_to_front(row)
+            return 1.0 / ratio if ratio else None
+        return row.get(quantity)
 
     def count(self, first, others, quantity, margin=1.0):
         """How often `first` is not above margin times another method, and of how many comparisons."""

@@ -44,7 +44,8 @@ def of_debian(archive, folder, quick):
                 if member.isfile() and member.name in missing:
                     member.name = os.path.basename(member.name)
                     tar.extract(member, folder)
-    return of_folder(folder, "debian")
+    wanted = {os.path.basename(name) for name in names}
+    return [model for model in of_folder(folder, "debian") if os.path.basename(model["source"]) in wanted]
 
 
 def all_models(folders, archive, work, quick, selection):

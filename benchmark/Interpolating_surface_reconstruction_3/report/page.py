@@ -120,7 +120,7 @@ def write(file, results, tables, thesis_tables, plots, picture_rows, texts):
          "thesis's figure that shows the same quantity.</p>" + plot_parts),
         ("pictures", "Pictures", _pictures(picture_rows, texts)),
         ("all", "Everything measured", by_name["measures"].html() + by_name["times"].html()
-         + by_name["regularity"].html())]
+         + by_name["scaling"].html() + by_name["regularity"].html())]
     navigation = "".join("<a href='#%s'>%s</a>" % (key, title) for key, title, _ in sections)
     body = "".join("<h2 id='%s'>%s</h2>\n%s\n" % section for section in sections)
     with open(file, "w", encoding="utf-8") as out:

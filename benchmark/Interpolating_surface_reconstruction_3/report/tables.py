@@ -59,10 +59,18 @@ def absolute(results):
 
 
 def times(results):
+    return _times(results, results.all_rows, "times", "Times and memory")
+
+
+def scaling(results):
+    return _times(results, results.scaling, "scaling", "Times and memory against the number of points")
+
+
+def _times(results, all_rows, name, title):
     columns = ["model", "method", "threads", "status", "points", "runs", "best s", "median s", "AF best s",
                "AF time / time", "normals s", "peak MB", "bytes a point"]
     rows = []
-    for row in results.all_rows:
+    for row in all_rows:
         if row["status"] not in ("ok", "not measured"):
             rows.append([row["model"], results.title(row["method"]), row["threads"], _status(row)]
                         + [None] * (len(columns) - 4))
@@ -72,7 +80,7 @@ def times(results):
                      number(best(row, "baseline_seconds"), 4), number(ratio_to_front(row), 2),
                      number(row["normal_seconds"], 3) if row["normal_seconds"] else None,
                      number(row["peak_bytes"] / 1e6, 1), number(row["growth_bytes"] / row["points"])])
-    return Table("times", "Times and memory", columns, rows,
+    return Table(name, title, columns, rows,
                  "A process runs the method and the advancing front (AF) in turn; the ratio is of the best of both. "
                  "'normals' is the part of the time that estimates and orients normals that the points do not have. "
                  "Peak of the process at the end of the first run; bytes above the points.")

@@ -1,7 +1,7 @@
 """Tables 3.1 to 5.2 of the thesis, in its form, its numbers beside ours where the mesh is the same."""
 
 from . import thesis
-from .results import best
+from .results import best, ratio_to_front
 from .table import Table, number
 
 CAPTIONS = {
@@ -82,7 +82,42 @@ def time_table(results, table, keys):
                  TIME_NOTE)
 
 
+def _ratio(value, base):
+    """Of two numbers or words; nothing without both or over zero."""
+    return number(float(value) / float(base), 2) if value not in (None, "") and base and float(base) else None
+
+
+def ratio_table(results):
+    """H and time in those of the advancing front, ours and the thesis's, where the mesh is the thesis's."""
+    keys = [key for key in thesis.CHAPTER_METHODS[5] if key != "af" and results.has(key)]
+    columns = ["", "model"]
+    for key in keys:
+        columns += [thesis.TITLES[key] + " H", "(thesis)", "time", "(thesis)"]
+    rows = []
+    for model, _, is_same in thesis_models(results):
+        front = results.ok(model["model"], "af")
+        if not is_same or front is None:
+            continue
+        cells = [model["number"], model["label"]]
+        for key in keys:
+            row = results.ok(model["model"], key) or {}
+            printed = {}
+            for table in ("5.1", "4.1", "3.1", "3.2", "4.4"):
+                for quantity in ("hausdorff", "seconds"):
+                    printed.setdefault(quantity, "")
+                    printed[quantity] = printed[quantity] or thesis.value(table, key, model["model"], quantity)
+            ratio = ratio_to_front(row)
+            cells += [_ratio(row.get("thesis_hausdorff"), front["thesis_hausdorff"]),
+                      _ratio(printed["hausdorff"], thesis.value("3.1", "af", model["model"], "hausdorff")),
+                      number(1 / ratio, 2) if ratio else None,
+                      _ratio(printed["seconds"], thesis.value("4.4", "af", model["model"], "seconds"))]
+        rows.append(cells)
+    return Table("ratios", "H and time over those of the advancing front, on the thesis's own meshes", columns, rows,
+                 "Less than 1 is nearer or faster than the advancing front. These ratios can be compared with the "
+                 "thesis's, though unit and machine differ. No ratio where the advancing front's H is 0.")
+
+
 def all_tables(results):
     tables = [mesh_table(results, *description) for description in thesis.MESH_TABLES]
     tables += [time_table(results, *description) for description in thesis.TIME_TABLES]
-    return sorted(tables, key=lambda table: table.name)
+    return sorted(tables, key=lambda table: table.name) + [ratio_table(results)]
