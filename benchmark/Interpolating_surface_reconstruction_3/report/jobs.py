@@ -60,9 +60,11 @@ def run_process(command, limits):
     try:
         output, error = process.communicate(timeout=limits.seconds)
     except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
         return "time limit", "more than %g s" % limits.seconds, {}
+    finally:  # after an interruption as well
+        if process.poll() is None:
+            process.kill()
+            process.communicate()
     if process.returncode != 0:
         status, message = _failure(process, error, limits)
         return status, message, {}
