@@ -56,10 +56,16 @@ void run_method(const Model& model, const Run_options& options, std::ostream& ou
   const Peak_memory memory;
   std::vector<double> seconds = { timed(method, model, options.threads, result) }, baseline;
   out << "growth_bytes\t" << memory.growth_in_bytes() << '\n'
-      << "peak_bytes\t" << memory.peak() << '\n';
+      << "peak_bytes\t" << memory.peak() << '\n'
+      << "normal_seconds\t" << result.normal_seconds << '\n'
+      << "points\t" << model.points.size() << '\n';
   if (!CGAL::IO::write_PLY(options.mesh_file, result.vertices.empty() ? model.points : result.vertices,
                            result.triangles, CGAL::parameters::use_binary_mode(true)))
     throw std::runtime_error(options.mesh_file + ": cannot be written");
+  // What is known now counts, should later runs take too long.
+  write_seconds("seconds", seconds, out);
+  write_seconds("baseline_seconds", baseline, out);
+  out << std::flush;
 
   CGAL::Real_timer elapsed;
   elapsed.start();
@@ -74,8 +80,6 @@ void run_method(const Model& model, const Run_options& options, std::ostream& ou
       seconds.push_back(timed(method, model, options.threads, other));
   write_seconds("seconds", seconds, out);
   write_seconds("baseline_seconds", baseline, out);
-  out << "normal_seconds\t" << result.normal_seconds << '\n'
-      << "points\t" << model.points.size() << '\n';
 }
 
 void list_methods(std::ostream& out)

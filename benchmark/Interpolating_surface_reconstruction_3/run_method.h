@@ -29,7 +29,8 @@ struct Run_options
   std::string mesh_file;
 };
 
-// Runs a method, in turn with the advancing front, and writes the mesh and lines of "key<TAB>value".
+// Runs a method, in turn with the advancing front, and writes the mesh and lines of "key<TAB>value";
+// of lines with the same key, the last one is right.
 void run_method(const Model& model, const Run_options& options, std::ostream& out);
 
 // Writes a line a method: key, title, whether it is ours, whether it uses threads, description.
