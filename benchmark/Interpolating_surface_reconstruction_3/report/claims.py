@@ -110,16 +110,22 @@ def _open_bases(judge):
 
 
 def _lis_triangles(judge):
+    """The verdict is on the thesis's grid; LIS through the samples is told beside it."""
     others = [key for key in ("ctc", "pcr", "af") if judge.results.has(key)]
-    good = total = 0
-    for name in judge.names:
-        lis = judge.value(name, "lis", "triangles")
-        for other in others:
-            count = judge.value(name, other, "triangles")
-            if lis is not None and count is not None:
-                total += 1
-                good += lis > 1.5 * count
-    return _verdict(good, total), "more than 1.5 times as many in %d of %d comparisons" % (good, total)
+    counts = {}
+    for key in ("lis-thesis", "lis"):
+        good = total = 0
+        for name in judge.names:
+            triangles = judge.value(name, key, "triangles")
+            found = [judge.value(name, other, "triangles") for other in others]
+            found.append(judge.results.references[name]["triangles"])
+            for count in found:
+                if triangles is not None and count is not None:
+                    total += 1
+                    good += triangles > 1.5 * count
+        counts[key] = good, total
+    return _verdict(*counts["lis-thesis"]), "more than 1.5 times as many: " + "; ".join(
+        "%s in %d of %d comparisons" % ((judge.results.title(key),) + count) for key, count in counts.items())
 
 
 def _fish(judge):
