@@ -12,8 +12,8 @@
 #ifndef ISR_BENCHMARK_COMPARISON_REPORT_H
 #define ISR_BENCHMARK_COMPARISON_REPORT_H
 
-#include "mesh_statistics.h"
-#include "surface_metrics.h"
+#include "measures/mesh_statistics.h"
+#include "measures/surface_metrics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@
 // Without inputs, all of them are run. With --cancel, another thread cancels every input RUNS times,
 // at moments spread over the run.
 
-#include "peak_memory.h"
+#include "measures/peak_memory.h"
 
 #include "../../test/Interpolating_surface_reconstruction_3/isr_test_hostile.h"
 

@@ -9,15 +9,15 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-// Compares CTC with CGAL's advancing front on the same points in the same process.
+// Compares CTC, PCR and LIS with CGAL's advancing front on the same points in the same process.
 
 #include "comparison_report.h"
-#include "mesh_statistics.h"
-#include "model_files.h"
-#include "peak_memory.h"
+#include "measures/mesh_statistics.h"
+#include "models/model_files.h"
+#include "measures/peak_memory.h"
 #include "reconstruction_methods.h"
-#include "self_intersections.h"
-#include "surface_metrics.h"
+#include "measures/self_intersections.h"
+#include "measures/surface_metrics.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -29,14 +29,15 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace isr_benchmark;
 
 struct Options
 {
-  Method_options method;
-  std::vector<Method> methods;
+  std::vector<std::unique_ptr<Method>> methods;
+  std::size_t threads = 1;
   std::size_t runs = 3;
   std::size_t intersection_limit = 200000;
   bool with_metrics = true;
@@ -46,24 +47,27 @@ struct Options
 };
 
 const char* const usage =
-  "usage: isr_compare [options] FILE_OR_FOLDER...\n"
-  "       isr_compare [options] --memory METHOD FILE\n"
-  "\n"
-  "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference, and LIS gets its\n"
-  "normals.\n"
-  "\n"
-  "  --runs N                 runs of each method, alternating (default 3)\n"
-  "  --method af|ctc|pcr|lis  run this method only; may be repeated\n"
-  "  --threads N              CTC, PCR and LIS with Parallel_tag on N threads (default: Sequential_tag)\n"
-  "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
-  "  --no-metrics             no distances to the reference and no self-intersections\n"
-  "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
-  "  --csv FILE               write the rows to FILE as well\n"
-  "  --memory METHOD FILE     one run of one method; prints the peak memory per point\n";
+    "usage: isr_compare [options] FILE_OR_FOLDER...\n"
+    "       isr_compare [options] --memory METHOD FILE\n"
+    "\n"
+    "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference, and LIS\n"
+    "gets its normals.\n"
+    "\n"
+    "  --runs N                 runs of each method, alternating (default 3)\n"
+    "  --method af|ctc|pcr|lis  run this method only; may be repeated\n"
+    "  --threads N              CTC, PCR and LIS with Parallel_tag on N > 1 threads (default: one\n"
+    "                           thread, Sequential_tag)\n"
+    "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
+    "  --no-metrics             no distances to the reference and no self-intersections\n"
+    "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
+    "  --csv FILE               write the rows to FILE as well\n"
+    "  --memory METHOD FILE     one run of one method; prints the peak memory per point\n";
 
 Options parse(int argc, char** argv)
 {
   Options options;
+  std::vector<std::string> names;
+  bool keep_boundaries = false;
   const auto value = [&](int& i) -> std::string {
     if (i + 1 >= argc)
       throw std::invalid_argument(std::string(argv[i]) + ": value missing");
@@ -74,11 +78,11 @@ Options parse(int argc, char** argv)
     if (word == "--runs")
       options.runs = (std::max)(std::stoul(value(i)), 1ul);
     else if (word == "--method")
-      options.methods.push_back(method_of_name(value(i)));
+      names.push_back(value(i));
     else if (word == "--threads")
-      options.method.threads = std::stoul(value(i));
+      options.threads = std::stoul(value(i));
     else if (word == "--keep-boundaries")
-      options.method.keep_boundaries = true;
+      keep_boundaries = true;
     else if (word == "--no-metrics")
       options.with_metrics = false;
     else if (word == "--intersection-limit")
@@ -87,7 +91,7 @@ Options parse(int argc, char** argv)
       options.csv_file = value(i);
     else if (word == "--memory") {
       options.measure_memory = true;
-      options.methods.push_back(method_of_name(value(i)));
+      names.push_back(value(i));
     } else if (word.rfind("--", 0) == 0)
       throw std::invalid_argument(word + ": unknown option");
     else
@@ -95,21 +99,24 @@ Options parse(int argc, char** argv)
   }
   if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
     throw std::invalid_argument("file missing");
-  if (options.methods.empty())
-    options.methods = { Method::AF, Method::CTC, Method::PCR };
+  if (names.empty())
+    names = {"af", "ctc", "pcr"};
+  options.methods = methods_of_names(names, keep_boundaries);
   return options;
 }
 
 void measure_memory(const Options& options)
 {
-  const Model model = read_model(options.paths.front());
-  const std::vector<Kernel::Vector_3> normals = reference_normals(model);
+  Model model = read_model(options.paths.front());
+  set_reference_normals(model);
+  const Method& method = *options.methods.front();
   const Peak_memory memory;
-  const std::vector<Triangle> triangles = reconstruct(options.methods.front(), model, normals, options.method);
+  const Reconstruction result = method(model, options.threads);
   const double bytes = static_cast<double>(memory.growth_in_bytes());
-  std::cout << model.name << ' ' << name(options.methods.front()) << ": " << model.points.size() << " points, "
-            << triangles.size() << " triangles, peak " << bytes / 1e6 << " MB above the points, "
-            << bytes / static_cast<double>(model.points.size()) << " bytes a point\n";
+  std::cout << model.name << ' ' << name(method) << ": " << model.points.size() << " points, "
+            << result.triangles.size() << " triangles, peak " << bytes / 1e6
+            << " MB above the points, " << bytes / static_cast<double>(model.points.size())
+            << " bytes a point\n";
 }
 
 Row describe(const Model& model, const std::string& method, const std::vector<Triangle>& triangles,
@@ -126,21 +133,21 @@ Row describe(const Model& model, const std::string& method, const std::vector<Tr
 }
 
 // Runs the methods in turn, so that a disturbance of the machine hits all of them.
-void compare(const Model& model, const Options& options, Report& report)
+void compare(Model model, const Options& options, Report& report)
 {
   const std::size_t n = options.methods.size();
-  std::vector<std::vector<double> > seconds(n);
-  std::vector<std::vector<Triangle> > triangles(n);
+  std::vector<std::vector<double>> seconds(n);
+  std::vector<std::vector<Triangle>> triangles(n);
   std::vector<std::string> failures(n);
-  const std::vector<Kernel::Vector_3> normals = reference_normals(model);
+  set_reference_normals(model);
   for (std::size_t run = 0; run != options.runs; ++run)
     for (std::size_t m = 0; m != n; ++m) {
       try {
         CGAL::Real_timer timer;
         timer.start();
-        std::vector<Triangle> result = reconstruct(options.methods[m], model, normals, options.method);
+        Reconstruction result = (*options.methods[m])(model, options.threads);
         seconds[m].push_back(timer.time());
-        triangles[m].swap(result);
+        triangles[m] = triangles_of_points(model, std::move(result));
       } catch (const std::exception& e) {
         failures[m] = e.what();
       }
@@ -155,12 +162,12 @@ void compare(const Model& model, const Options& options, Report& report)
   }
   for (std::size_t m = 0; m != n; ++m) {
     if (!failures[m].empty())
-      std::cerr << model.name << ' ' << name(options.methods[m]) << ": " << failures[m] << '\n';
-    Row row = describe(model, name(options.methods[m]), triangles[m], options);
+      std::cerr << model.name << ' ' << name(*options.methods[m]) << ": " << failures[m] << '\n';
+    Row row = describe(model, name(*options.methods[m]), triangles[m], options);
     row.set_times(seconds[m]);
     row.has_metrics = comparer != nullptr;
     if (comparer)
-      row.metrics = (*comparer)(triangles[m]);
+      row.metrics = (*comparer)(model.points, triangles[m]);
     rows.found.push_back(row);
   }
   report.add(rows);

@@ -9,13 +9,14 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef ISR_BENCHMARK_MODEL_FILES_H
-#define ISR_BENCHMARK_MODEL_FILES_H
+#ifndef ISR_BENCHMARK_MODELS_MODEL_FILES_H
+#define ISR_BENCHMARK_MODELS_MODEL_FILES_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/read_points.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -24,12 +25,14 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isr_benchmark {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
 using Triangle = std::array<std::size_t, 3>;
 
 // A point set, and the surface that it was taken from if the file has one.
@@ -38,6 +41,7 @@ struct Model
   std::string name;
   std::vector<Point> points;
   std::vector<Triangle> triangles;
+  std::vector<Vector> normals; // one a point, or none
 };
 
 // Polygons become fans. Vertices that no polygon uses are not samples of the surface.
@@ -67,6 +71,26 @@ inline bool has_extension(const std::filesystem::path& path, const std::string& 
   return found == extension;
 }
 
+// Points, and their normals if the file has them.
+inline void read_oriented_points(const std::string& path, Model& model)
+{
+  using Oriented_point = std::pair<Point, Vector>;
+  std::vector<Oriented_point> points;
+  if (!CGAL::IO::read_points(path, std::back_inserter(points),
+                             CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
+                               .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>())))
+    throw std::runtime_error(path + ": cannot be read");
+  model.points.clear();
+  bool has_normals = !points.empty();
+  for (const Oriented_point& p : points) {
+    model.points.push_back(p.first);
+    model.normals.push_back(p.second);
+    has_normals = has_normals && p.second != CGAL::NULL_VECTOR;
+  }
+  if (!has_normals)
+    model.normals.clear();
+}
+
 inline bool is_model_file(const std::filesystem::path& path)
 {
   return has_extension(path, ".ply") || has_extension(path, ".off") || has_extension(path, ".xyz");
@@ -82,11 +106,8 @@ inline Model read_model(const std::filesystem::path& path)
   if ((is_ply && CGAL::IO::read_PLY(path.string(), vertices, polygons)) ||
       (has_extension(path, ".off") && CGAL::IO::read_OFF(path.string(), vertices, polygons)))
     set_surface(vertices, polygons, model);
-  if (model.triangles.empty()) {
-    model.points.clear();
-    if (!CGAL::IO::read_points(path.string(), std::back_inserter(model.points)))
-      throw std::runtime_error(path.string() + ": cannot be read");
-  }
+  if (model.triangles.empty())
+    read_oriented_points(path.string(), model);
   return model;
 }
 
@@ -110,4 +131,4 @@ inline std::vector<std::filesystem::path> find_model_files(const std::vector<std
 
 } // namespace isr_benchmark
 
-#endif // ISR_BENCHMARK_MODEL_FILES_H
+#endif // ISR_BENCHMARK_MODELS_MODEL_FILES_H

@@ -9,8 +9,8 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef ISR_BENCHMARK_PEAK_MEMORY_H
-#define ISR_BENCHMARK_PEAK_MEMORY_H
+#ifndef ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H
+#define ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H
 
 #include <sys/resource.h>
 
@@ -45,7 +45,7 @@ public:
     return now > m_before ? now - m_before : 0;
   }
 
-private:
+  // Of the whole process, as far as it was reset above: getrusage() still knows the process before exec().
   static std::size_t peak()
   {
     std::ifstream status("/proc/self/status");
@@ -60,9 +60,10 @@ private:
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   }
 
+private:
   std::size_t m_before;
 };
 
 } // namespace isr_benchmark
 
-#endif // ISR_BENCHMARK_PEAK_MEMORY_H
+#endif // ISR_BENCHMARK_MEASURES_PEAK_MEMORY_H

@@ -9,10 +9,10 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef ISR_BENCHMARK_MESH_STATISTICS_H
-#define ISR_BENCHMARK_MESH_STATISTICS_H
+#ifndef ISR_BENCHMARK_MEASURES_MESH_STATISTICS_H
+#define ISR_BENCHMARK_MEASURES_MESH_STATISTICS_H
 
-#include "model_files.h"
+#include "../models/model_files.h"
 
 #include <CGAL/Origin.h>
 
@@ -249,4 +249,4 @@ inline bool has_same_topology(const Mesh_statistics& found, const Mesh_statistic
 
 } // namespace isr_benchmark
 
-#endif // ISR_BENCHMARK_MESH_STATISTICS_H
+#endif // ISR_BENCHMARK_MEASURES_MESH_STATISTICS_H

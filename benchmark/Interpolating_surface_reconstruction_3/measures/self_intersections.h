@@ -9,10 +9,10 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef ISR_BENCHMARK_SELF_INTERSECTIONS_H
-#define ISR_BENCHMARK_SELF_INTERSECTIONS_H
+#ifndef ISR_BENCHMARK_MEASURES_SELF_INTERSECTIONS_H
+#define ISR_BENCHMARK_MEASURES_SELF_INTERSECTIONS_H
 
-#include "model_files.h"
+#include "../models/model_files.h"
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -92,4 +92,4 @@ private:
 
 } // namespace isr_benchmark
 
-#endif // ISR_BENCHMARK_SELF_INTERSECTIONS_H
+#endif // ISR_BENCHMARK_MEASURES_SELF_INTERSECTIONS_H

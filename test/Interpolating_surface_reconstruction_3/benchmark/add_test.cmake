@@ -1,0 +1,24 @@
+# Included by the top-level CMakeLists.txt: the tests need the benchmark isr_tables.
+if(TARGET isr_tables)
+  add_executable(test_isr_benchmark_surfaces ${CMAKE_CURRENT_LIST_DIR}/test_isr_benchmark_surfaces.cpp)
+  target_include_directories(test_isr_benchmark_surfaces PRIVATE
+    ${PROJECT_SOURCE_DIR}/benchmark/Interpolating_surface_reconstruction_3)
+  target_link_libraries(test_isr_benchmark_surfaces PRIVATE
+    CGAL::Interpolating_surface_reconstruction_3 CGAL::CGAL)
+  add_test(NAME test_isr_benchmark_surfaces COMMAND test_isr_benchmark_surfaces)
+
+  find_program(CGAL_ISR_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  mark_as_advanced(CGAL_ISR_PYTHON)
+  set(isr_has_matplotlib 1)
+  if(CGAL_ISR_PYTHON)
+    execute_process(COMMAND ${CGAL_ISR_PYTHON} -c "import matplotlib, numpy, PIL"
+      RESULT_VARIABLE isr_has_matplotlib OUTPUT_QUIET ERROR_QUIET)
+  endif()
+  if(isr_has_matplotlib EQUAL 0)
+    add_test(NAME isr_tables_quick
+      COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_isr_tables.sh ${CGAL_ISR_PYTHON} $<TARGET_FILE:isr_tables>
+        ${PROJECT_BINARY_DIR}/tables_test)
+  else()
+    message(STATUS "NOTICE: /usr/bin/python3 with matplotlib was not found. The benchmark is not run as a test.")
+  endif()
+endif()
