@@ -90,9 +90,11 @@ public:
     return m_defects.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
   }
 
-  // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes the
-  // surface a manifold at all points of the scope that it still passes through, whatever it loses.
-  void enforce()
+  // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes
+  // the surface a manifold at all points of the scope that it still passes through, whatever it
+  // loses. `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  void enforce(Cancellation_point&& cancellation_point)
   {
     std::vector<unsigned char> changes(m_defects.size(), 0);
     std::vector<std::size_t> todo;
@@ -102,6 +104,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (find_components(v) <= 2)
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
@@ -113,9 +116,11 @@ public:
     }
   }
 
-  // To be called after operator(): changes the cells together and repairs what that breaks; takes it all
-  // back if defects remain that were not there before.
-  void change_unless_worse(std::vector<Cell_index> cells)
+  // To be called after operator(): changes the cells together and repairs what that breaks; takes
+  // it all back if defects remain that were not there before. `cancellation_point()` is called
+  // again and again and may throw.
+  template <typename Cancellation_point>
+  void change_unless_worse(std::vector<Cell_index> cells, Cancellation_point&& cancellation_point)
   {
     flip(cells);
     int change = update_defects(cells);
@@ -123,6 +128,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (m_defects[v] == 0 || !improve(v))
         continue;
       change += m_best.defects;
