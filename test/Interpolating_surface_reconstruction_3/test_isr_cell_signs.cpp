@@ -149,7 +149,7 @@ void test_gain()
   }
   begin_case("relaxation ends where no cell wins");
   const double before = energy(s, values, labelling);
-  in::relax_labels(s.cells, labelling);
+  in::relax_labels(s.cells, labelling, in::No_cancellation());
   ISR_CHECK(energy(s, values, labelling) < before);
   for (Cell_index c = 0; c != s.cells.size(); ++c)
     ISR_CHECK(labelling.gain(c) <= labelling.smallest_gain(c));
@@ -157,7 +157,7 @@ void test_gain()
   begin_case("repair makes any labelling a manifold");
   in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
   repair();
-  repair.enforce();
+  repair.enforce(in::No_cancellation());
   Triples triples;
   for (Cell_index c = 0; c != s.cells.size(); ++c)
     for (std::size_t i = 0; i != 4; ++i)
@@ -180,7 +180,7 @@ void test_minimum_cut()
       samples.emplace_back(p + Vector(x, 0, 0), normal_of_box(p, Point(0, 0, 0), Point(6, 6, 6)));
   const Cells s(samples);
   in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
-  in::relax_labels(s.cells, labelling);
+  in::relax_labels(s.cells, labelling, in::No_cancellation());
   in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
   repair();
   const auto labelled_inside_gap = [&] {
@@ -198,7 +198,7 @@ void test_minimum_cut()
   // the averaged normals at the edges mislead the signs at the corners of the gap
   ISR_CHECK(labelled_inside_gap() > 0);
   in::Label_minimum_cut cut(s.cells, labelling);
-  cut(repair);
+  cut(repair, in::No_cancellation());
   ISR_CHECK_EQUAL(labelled_inside_gap(), 0u);
   ISR_CHECK_EQUAL(repair(), 0u);
 }

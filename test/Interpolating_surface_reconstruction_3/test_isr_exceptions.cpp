@@ -303,9 +303,9 @@ void test_user_objects(Algorithm algorithm)
   }, is_mesh_untouched);
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  for_each_algorithm([](auto algorithm) {
+  for_each_algorithm(argc, argv, [](auto algorithm) {
     test_memory(algorithm);
 #ifdef CGAL_LINKED_WITH_TBB
     test_memory_in_parallel(algorithm);

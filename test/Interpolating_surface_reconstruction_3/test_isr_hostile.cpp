@@ -77,12 +77,17 @@ void test_few_dimensions(Algorithm algorithm)
 
 int main(int argc, char** argv)
 {
-  const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 500;
-  const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 2;
-  for_each_algorithm([&](auto algorithm) {
+  // strtoul() makes 0 of the name of an algorithm
+  const std::size_t n = argc > 1 && std::strtoul(argv[1], nullptr, 10) != 0
+                            ? std::strtoul(argv[1], nullptr, 10)
+                            : 500;
+  const std::uint64_t seeds =
+      argc > 2 && std::strtoul(argv[2], nullptr, 10) != 0 ? std::strtoull(argv[2], nullptr, 10) : 2;
+  const auto test = [&](auto algorithm) {
     test_few_points(algorithm);
     test_few_dimensions(algorithm);
     test_corpus(algorithm, n, seeds);
-  });
+  };
+  for_each_algorithm(argc, argv, test);
   return result();
 }

@@ -97,9 +97,9 @@ void test_rotation(Algorithm algorithm)
   }
 }
 
-int main()
+int main(int argc, char** argv)
 {
-  for_each_algorithm([](auto algorithm) {
+  for_each_algorithm(argc, argv, [](auto algorithm) {
     test_corpus(algorithm, 300);
     test_rotation(algorithm);
   });

@@ -11,6 +11,7 @@
 
 // End to end: surfaces of known topology, from samples with and without normals.
 
+#include "isr_test_hostile.h"
 #include "isr_test_lis.h"
 
 #include <CGAL/Point_set_3.h>
@@ -202,6 +203,20 @@ void test_bad_samples()
   checked_lis(noise);
 }
 
+// Areas that are rounded add up to flows that are not those of a cut.
+void test_rounded_areas()
+{
+  for (const Points& points : {hostile::boxes_rotated(300, 1), hostile::boxes_rotated(300, 2),
+                               hostile::wedge_thin(300, 1)}) {
+    begin_case("a cut through " + std::to_string(points.size()) + " points with rounded areas");
+    Counting_visitor visitor;
+    const Soup soup = lis(points, params::visitor(std::ref(visitor)));
+    ISR_CHECK(validation::is_oriented_manifold(soup.points, soup.triangles, Kernel()));
+    ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+    ISR_CHECK_EQUAL(soup.points.size() + visitor.unused, points.size());
+  }
+}
+
 void test_few_or_flat_points()
 {
   const auto up = [](const Point&) { return Vector(0, 0, 2); };
@@ -375,6 +390,7 @@ int main()
   test_without_normals();
   test_lengths_of_normals();
   test_bad_samples();
+  test_rounded_areas();
   test_few_or_flat_points();
   test_determinism();
   test_overloads();

@@ -158,8 +158,8 @@ private:
                                                 (std::numeric_limits<double>::max)(), true, m_cancellation_point);
     repair(m_cancellation_point);
     Label_minimum_cut cut(cells, labelling);
-    cut(repair);
-    repair.enforce();
+    cut(repair, m_cancellation_point);
+    repair.enforce(m_cancellation_point);
   }
 
   // Counterclockwise, seen from the outside.

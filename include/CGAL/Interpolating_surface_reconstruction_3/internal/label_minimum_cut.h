@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
 // gcc cannot tell that the iterators in these headers are set before they are read.
@@ -25,11 +26,13 @@
 #endif
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -52,16 +55,17 @@ public:
     : m_cells(cells), m_labelling(labelling), m_node_of(cells.size(), OUT)
   { }
 
-  // Keeps what makes no more points irregular.
-  template <typename Repair>
-  void operator()(Repair& repair)
+  // Keeps what makes no more points irregular. `cancellation_point()` is called again and again and
+  // may throw.
+  template <typename Repair, typename Cancellation_point>
+  void operator()(Repair& repair, Cancellation_point&& cancellation_point)
   {
-    const std::vector<Cell_index> cells = find_cells();
+    const std::vector<Cell_index> cells = find_cells(cancellation_point);
     for (Cell_index c : cells)
       if (m_node_of[c] == IN) {
         collect_region(c);
-        for (const std::vector<Cell_index>& changes : cut())
-          repair.change_unless_worse(changes);
+        for (const std::vector<Cell_index>& changes : cut(cancellation_point))
+          repair.change_unless_worse(changes, cancellation_point);
       }
   }
 
@@ -70,10 +74,16 @@ private:
   struct Node
   {
     boost::default_color_type color;
-    double distance;
+    std::size_t distance;
     Graph_traits::edge_descriptor predecessor;
   };
-  struct Arc { double capacity, residual; Graph_traits::edge_descriptor reverse; };
+  // Rounded residuals would add up to flows that no arc can carry.
+  using Capacity = std::int64_t;
+  struct Arc
+  {
+    Capacity capacity, residual;
+    Graph_traits::edge_descriptor reverse;
+  };
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
 
   static constexpr std::uint32_t OUT = static_cast<std::uint32_t>(-1), IN = OUT - 1;
@@ -86,6 +96,16 @@ private:
 
   static constexpr double VALUE_SHARE = .1;
 
+  // All capacities together are less than two to this power: no flow overflows.
+  static constexpr int CAPACITY_BITS = 62;
+
+  // Between two nodes, in both directions.
+  struct Connection
+  {
+    std::size_t from, to;
+    double capacity, reverse_capacity;
+  };
+
   bool faces_against_normals(Cell_index c, std::size_t i) const
   {
     const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
@@ -93,7 +113,8 @@ private:
   }
 
   // The finite cells around facets that face against the normals.
-  std::vector<Cell_index> find_cells()
+  template <typename Cancellation_point>
+  std::vector<Cell_index> find_cells(Cancellation_point& cancellation_point)
   {
     std::vector<Cell_index> result;
     const auto add = [&](Cell_index c) {
@@ -102,12 +123,14 @@ private:
         result.push_back(c);
       }
     };
-    for (Cell_index c = 0; c != m_cells.size(); ++c)
+    for (Cell_index c = 0; c != m_cells.size(); ++c) {
+      cancellation_point();
       for (std::size_t i = 0; i != 4; ++i)
         if (m_labelling.label(c) && m_labelling.is_surface(c, i) && faces_against_normals(c, i)) {
           add(c);
           add(m_cells[c].neighbors[i]);
         }
+    }
     std::size_t begin = 0;
     for (int ring = 0; ring != RINGS; ++ring) {
       const std::size_t end = result.size();
@@ -131,11 +154,11 @@ private:
         }
   }
 
-  // The cells of the region that the cut labels otherwise, by connected parts.
-  std::vector<std::vector<Cell_index> > cut()
+  // The energies of the region: a cell is connected to its neighbors and to the two labels.
+  std::vector<Connection> connections() const
   {
     const std::size_t inside = m_region.size(), outside = inside + 1;
-    Graph graph(m_region.size() + 2);
+    std::vector<Connection> result;
     for (std::size_t k = 0; k != m_region.size(); ++k) {
       const Cell_index c = m_region[k];
       double total_area = 0., to_inside = 0., to_outside = 0.;
@@ -146,16 +169,55 @@ private:
         if (m_node_of[n] >= IN)
           (m_labelling.label(n) ? to_inside : to_outside) += m_labelling.label(n) ? energy.if_outside : energy.if_inside;
         else if (m_node_of[n] > k)
-          connect(graph, k, m_node_of[n], energy.if_inside, energy.if_outside);
+          result.push_back(Connection{ k, m_node_of[n], energy.if_inside, energy.if_outside });
       }
       const double preference = VALUE_SHARE * m_labelling.outside_preference(c, total_area);
-      connect(graph, inside, k, to_inside + (std::max)(-preference, 0.), 0.);
-      connect(graph, k, outside, to_outside + (std::max)(preference, 0.), 0.);
+      result.push_back(Connection{ inside, k, to_inside + (std::max)(-preference, 0.), 0. });
+      result.push_back(Connection{ k, outside, to_outside + (std::max)(preference, 0.), 0. });
     }
-    boost::boykov_kolmogorov_max_flow(graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
-                                      boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
-                                      boost::get(&Node::color, graph), boost::get(&Node::distance, graph),
-                                      boost::get(boost::vertex_index, graph), inside, outside);
+    return result;
+  }
+
+  // With capacities in a unit that is a power of two, so that the scale of the points does not
+  // matter.
+  static void connect(Graph& graph, const std::vector<Connection>& connections)
+  {
+    double total = 0.;
+    for (const Connection& c : connections)
+      total += non_negative(c.capacity) + non_negative(c.reverse_capacity);
+    int exponent = 0;
+    std::frexp(total, &exponent);
+    const auto scaled = [&](double capacity) {
+      return static_cast<Capacity>(std::ldexp(non_negative(capacity), CAPACITY_BITS - exponent));
+    };
+    for (const Connection& c : connections) {
+      const auto arc = boost::add_edge(c.from, c.to, graph).first, reverse = boost::add_edge(c.to, c.from, graph).first;
+      graph[arc] = Arc{ scaled(c.capacity), 0, reverse };
+      graph[reverse] = Arc{ scaled(c.reverse_capacity), 0, arc };
+    }
+  }
+
+  // The energy of a facet along its normals is zero but for rounding.
+  static double non_negative(double energy) { return (std::max)(energy, 0.); }
+
+  // The cells of the region that the cut labels otherwise, by connected parts.
+  template <typename Cancellation_point>
+  std::vector<std::vector<Cell_index> > cut(Cancellation_point& cancellation_point)
+  {
+    const std::size_t inside = m_region.size(), outside = inside + 1;
+    Graph graph(m_region.size() + 2);
+    connect(graph, connections());
+    // The search asks for the index of every node that it comes to.
+    const auto index = boost::make_function_property_map<Graph_traits::vertex_descriptor>(
+        [&cancellation_point](Graph_traits::vertex_descriptor v) {
+          cancellation_point();
+          return v;
+        });
+    boost::boykov_kolmogorov_max_flow(
+        graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
+        boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
+        boost::get(&Node::color, graph), boost::get(&Node::distance, graph), index, inside,
+        outside);
     for (std::size_t k = 0; k != m_region.size(); ++k)
       m_node_of[m_region[k]] = (graph[k].color == graph[inside].color) != m_labelling.label(m_region[k]) ? IN : OUT;
     return connected_parts();
@@ -179,13 +241,6 @@ private:
       parts.push_back(part);
     }
     return parts;
-  }
-
-  static void connect(Graph& graph, std::size_t from, std::size_t to, double capacity, double reverse_capacity)
-  {
-    const auto arc = boost::add_edge(from, to, graph).first, reverse = boost::add_edge(to, from, graph).first;
-    graph[arc] = Arc{ capacity, 0., reverse };
-    graph[reverse] = Arc{ reverse_capacity, 0., arc };
   }
 
   const Cell_complex& m_cells;

@@ -31,7 +31,8 @@ namespace internal {
 
 // Changes labels of cells until the surface between the labels is a manifold through all points of a
 // scope. At a point, the surface is a manifold if the cells of each label around the point are
-// connected by facets at the point and there are cells of both labels.
+// connected by facets at the point and there are cells of both labels. Hubs, points of very many cells as
+// the tip of a cone over a line, would take the square of these: they are left out but for the last step.
 template <typename Labelling>
 class Labelling_repair
 {
@@ -53,15 +54,23 @@ public:
     : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components),
       m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
   {
+    std::vector<std::uint32_t> cells_at(m_cell_of.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
       for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && is_in_scope(p))
+        if (p != NO_POINT && is_in_scope(p)) {
           m_cell_of[position_of(p)] = c;
+          ++cells_at[position_of(p)];
+        }
     }
+    for (std::size_t v = 0; v != m_cell_of.size(); ++v)
+      if (cells_at[v] > MAXIMUM_CELLS) {
+        m_hubs.push_back(Hub{ v, m_cell_of[v], 0 });
+        m_cell_of[v] = NO_CELL;
+      }
   }
 
-  // Returns the number of points at which the surface is no manifold in the end.
+  // Returns the number of points but hubs at which the surface is no manifold in the end.
   std::size_t operator()()
   {
     return (*this)(No_cancellation());
@@ -91,18 +100,21 @@ public:
     repair(m_touched, cancellation_point);
   }
 
-  // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes the
-  // surface a manifold at all points of the scope that it still passes through, whatever it loses.
-  void enforce()
+  // To be called after operator(), if label 1 is the inside and infinite cells have label 0: makes
+  // the surface a manifold at all points of the scope that it still passes through, whatever it
+  // loses. `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  void enforce(Cancellation_point&& cancellation_point)
   {
     std::vector<unsigned char> changes(m_defects.size(), 0);
     std::vector<std::size_t> todo;
     for (std::size_t v = 0; v != m_defects.size(); ++v)
       if (m_defects[v] != 0)
         todo.push_back(v);
-    while (!todo.empty()) {
+    while (!todo.empty() || enforce_at_hubs(todo)) {
       const std::size_t v = todo.back();
       todo.pop_back();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (find_components(v) <= 2)
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
@@ -114,9 +126,11 @@ public:
     }
   }
 
-  // To be called after operator(): changes the cells together and repairs what that breaks; takes it all
-  // back if defects remain that were not there before.
-  void change_unless_worse(std::vector<Cell_index> cells)
+  // To be called after operator(): changes the cells together and repairs what that breaks; takes
+  // it all back if defects remain that were not there before. `cancellation_point()` is called
+  // again and again and may throw.
+  template <typename Cancellation_point>
+  void change_unless_worse(std::vector<Cell_index> cells, Cancellation_point&& cancellation_point)
   {
     flip(cells);
     int change = update_defects(cells);
@@ -124,6 +138,7 @@ public:
     while (!todo.empty()) {
       const std::size_t v = todo.back();
       todo.pop_back();
+      cancellation_point(MICROSECONDS_PER_MOVE);
       if (m_defects[v] == 0 || !improve(v))
         continue;
       change += m_best.defects;
@@ -139,13 +154,20 @@ public:
 private:
   static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
 
-  // Trying the cells around a point one by one takes the square of their number, which may be nearly
-  // that of all points.
-  static constexpr std::size_t MAXIMUM_SINGLE_CELLS = 256;
+  // A point of a surface has some thirty. Trying the cells one by one takes the square of their number.
+  static constexpr std::size_t MAXIMUM_CELLS = 256;
 
   static constexpr unsigned char FREE_CHANGES = 5;
 
   static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
+
+  // A vertex with more cells, one of them, and how often they were changed.
+  struct Hub
+  {
+    std::size_t vertex;
+    Cell_index cell;
+    unsigned char changes;
+  };
 
   // Cells to change together, and what that brings.
   struct Move
@@ -173,11 +195,17 @@ private:
   // Finds the components of equal labels around vertex v; m_star gets the cells around it.
   std::size_t find_components(std::size_t v)
   {
+    return find_components(v, m_cell_of[v]);
+  }
+
+  // As above, beginning at a cell.
+  std::size_t find_components(std::size_t v, Cell_index first)
+  {
     const Point_index p = m_cells.points()[v];
     std::uint32_t components = 0;
     ++m_stamp;
     m_star.clear();
-    m_seeds.assign(1, m_cell_of[v]);
+    m_seeds.assign(1, first);
     while (!m_seeds.empty()) {
       const Cell_index seed = m_seeds.back();
       m_seeds.pop_back();
@@ -207,7 +235,7 @@ private:
   }
 
   // The cells of each component around v, which find_components() has found, in the order of their
-  // smallest cells.
+  // smallest cells. Sorts m_star.
   std::vector<std::vector<Cell_index> > components_of_star(std::size_t components)
   {
     std::sort(m_star.begin(), m_star.end());
@@ -246,14 +274,13 @@ private:
   {
     m_best = Move{ {}, 0, 0. };
     std::vector<std::vector<Cell_index> > moves = components_of_star(find_components(v));
-    if (m_star.size() <= MAXIMUM_SINGLE_CELLS) {
-      std::vector<std::size_t> size_of_component(moves.size(), 0);
-      for (const Star_cell& c : m_star)
-        ++size_of_component[c.component];
-      for (const Star_cell& c : m_star)
-        if (size_of_component[c.component] > 1)
-          moves.push_back({ c.cell });
-    }
+    const bool is_off_surface = moves.size() == 1;
+    std::vector<std::size_t> size_of_component(moves.size(), 0);
+    for (const Star_cell& c : m_star)
+      ++size_of_component[c.component];
+    for (const Star_cell& c : m_star)
+      if (size_of_component[c.component] > 1 && (is_off_surface || is_between_components(v, c)))
+        moves.push_back({ c.cell });
     for (const std::vector<Cell_index>& cells : moves)
       try_move(v, cells);
     if (m_best.cells.empty())
@@ -261,6 +288,23 @@ private:
     flip(m_best.cells);
     update_defects(m_best.cells);
     return true;
+  }
+
+  // Whether a change of the cell joins components around v; else, as long as its own does not vanish, it
+  // lessens no defects there.
+  bool is_between_components(std::size_t v, const Star_cell& c) const
+  {
+    std::uint32_t first = c.component;
+    for (std::size_t i = 0; i != 4; ++i) {
+      if (m_cells[c.cell].vertices[i] == m_cells.points()[v])
+        continue;
+      const std::uint32_t other = std::lower_bound(m_star.begin(), m_star.end(), Star_cell{ m_cells[c.cell].neighbors[i], 0 })->component;
+      if (first == c.component)
+        first = other;
+      else if (other != c.component && other != first)
+        return true;
+    }
+    return false;
   }
 
   void flip(const std::vector<Cell_index>& cells)
@@ -318,8 +362,10 @@ private:
   // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
   void try_move(std::size_t v, const std::vector<Cell_index>& cells)
   {
+    if (m_keeps_components && !is_at_surface(cells))
+      return;
     const double g = gain(cells);
-    if (!(g > -m_maximum_loss) || (m_keeps_components && !is_at_surface(cells)))
+    if (!(g > -m_maximum_loss))
       return;
     flip(cells);
     if (count_defects(v) < m_defects[v]) {
@@ -351,11 +397,54 @@ private:
     return m_best.cells;
   }
 
+  // Changes all components around each hub but the largest of each label, from some time on only to the
+  // inside, and adds the vertices to `todo`; returns whether there are any.
+  bool enforce_at_hubs(std::vector<std::size_t>& todo)
+  {
+    for (Hub& hub : m_hubs) {
+      const std::size_t number = find_components(hub.vertex, hub.cell);
+      if (number <= 2)
+        continue;
+      const std::vector<std::vector<Cell_index> > components = components_of_star(number);
+      const std::vector<Cell_index> cells = beside_largest(components, hub.changes == FREE_CHANGES);
+      if (hub.changes != FREE_CHANGES)
+        ++hub.changes;
+      flip(cells);
+      update_defects(cells);
+      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+    }
+    return !todo.empty();
+  }
+
+  // The finite cells of all components but the largest of each label; only of those with label 0 if
+  // `is_filling`, and of the last one too.
+  std::vector<Cell_index> beside_largest(const std::vector<std::vector<Cell_index> >& components, bool is_filling) const
+  {
+    std::array<std::size_t, 2> number{ { 0, 0 } }, largest{ { components.size(), components.size() } };
+    for (std::size_t k = 0; k != components.size(); ++k) {
+      const std::size_t label = m_labelling.label(components[k].front()) ? 1 : 0;
+      ++number[label];
+      if (largest[label] == components.size() || components[k].size() > components[largest[label]].size())
+        largest[label] = k;
+    }
+    std::vector<Cell_index> result;
+    for (std::size_t k = 0; k != components.size(); ++k) {
+      const std::size_t label = m_labelling.label(components[k].front()) ? 1 : 0;
+      if (is_filling ? label == 1 || (k == largest[0] && number[0] > 1) : k == largest[label])
+        continue;
+      for (Cell_index c : components[k])
+        if (!Cell_complex::is_infinite(m_cells[c]))
+          result.push_back(c);
+    }
+    return result;
+  }
+
   const Cell_complex& m_cells;
   Labelling& m_labelling;
   double m_maximum_loss;
   bool m_keeps_components;
-  std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope, else NO_CELL
+  std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope that is no hub, else NO_CELL
+  std::vector<Hub> m_hubs;
   std::vector<int> m_defects;         // of each point, 0 out of the scope
   std::vector<std::uint32_t> m_mark;  // of each cell: the last search that reached it
   std::uint32_t m_stamp = 0;
