@@ -153,8 +153,8 @@ struct Plane_normals
   static Normal_map map(const Points& points)
   {
     constexpr unsigned int NEIGHBORS = 10;
-    using Sample = std::pair<Point, Vector>;
-    std::vector<Sample> samples;
+    using Oriented = std::pair<Point, Vector>;
+    std::vector<Oriented> samples;
     double largest = 0.;
     for (const auto& p : positions_of_finite(points)) {
       samples.emplace_back(p.first, Vector(0, 0, 0));
@@ -168,9 +168,9 @@ struct Plane_normals
     if (samples.size() > NEIGHBORS)
       CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
           samples, NEIGHBORS,
-          params::point_map(boost::make_function_property_map<Sample>([&](const Sample& s) {
+          params::point_map(boost::make_function_property_map<Oriented>([&](const Oriented& s) {
             return scaled_point(s.first);
-          })).normal_map(CGAL::Second_of_pair_property_map<Sample>()));
+          })).normal_map(CGAL::Second_of_pair_property_map<Oriented>()));
     const auto normals = std::make_shared<std::map<Point, Vector>>(samples.begin(), samples.end());
     return Normal_map{[normals](const Point& p) {
       const Vector n = normals->at(p);

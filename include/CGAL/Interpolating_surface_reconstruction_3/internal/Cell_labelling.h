@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -114,8 +115,15 @@ public:
     return label(c) ? set - clear : clear - set;
   }
 
-  // Gains below this are rounding errors of sums of weights.
-  double smallest_gain(Cell_index) const { return 1e-9; }
+  // Gains below this are rounding errors of sums of weights. Costs may be far from one: changes that win
+  // nothing would go on for ever.
+  double smallest_gain(Cell_index c) const
+  {
+    double total = std::abs(m_preferences[c]);
+    for (const Cost& cost : m_costs[c])
+      total += std::abs(cost.if_set) + std::abs(cost.if_clear);
+    return (std::max)(1e-9, 16. * std::numeric_limits<double>::epsilon() * total);
+  }
 
   // Changes single cells as long as that wins; returns them.
   std::vector<Cell_index> relax() { return relax(No_cancellation()); }

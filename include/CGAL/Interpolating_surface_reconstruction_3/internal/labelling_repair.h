@@ -112,6 +112,8 @@ public:
       if (m_defects[v] != 0)
         todo.push_back(v);
     while (!todo.empty() || enforce_at_hubs(todo)) {
+      if (todo.empty())
+        continue;
       const std::size_t v = todo.back();
       todo.pop_back();
       cancellation_point(MICROSECONDS_PER_MOVE);
@@ -398,9 +400,11 @@ private:
   }
 
   // Changes all components around each hub but the largest of each label, from some time on only to the
-  // inside, and adds the vertices to `todo`; returns whether there are any.
+  // inside, and adds the vertices to `todo`; returns whether there
+  // was a change.
   bool enforce_at_hubs(std::vector<std::size_t>& todo)
   {
+    bool is_changed = false;
     for (Hub& hub : m_hubs) {
       const std::size_t number = find_components(hub.vertex, hub.cell);
       if (number <= 2)
@@ -409,28 +413,28 @@ private:
       const std::vector<Cell_index> cells = beside_largest(components, hub.changes == FREE_CHANGES);
       if (hub.changes != FREE_CHANGES)
         ++hub.changes;
+      is_changed = true;
       flip(cells);
       update_defects(cells);
       todo.insert(todo.end(), m_touched.begin(), m_touched.end());
     }
-    return !todo.empty();
+    return is_changed;
   }
 
-  // The finite cells of all components but the largest of each label; only of those with label 0 if
-  // `is_filling`, and of the last one too.
+  // The finite cells of all components but the largest of each label; all with label 0 if
+  // `is_filling`.
   std::vector<Cell_index> beside_largest(const std::vector<std::vector<Cell_index> >& components, bool is_filling) const
   {
-    std::array<std::size_t, 2> number{ { 0, 0 } }, largest{ { components.size(), components.size() } };
+    std::array<std::size_t, 2> largest{ { components.size(), components.size() } };
     for (std::size_t k = 0; k != components.size(); ++k) {
       const std::size_t label = m_labelling.label(components[k].front()) ? 1 : 0;
-      ++number[label];
       if (largest[label] == components.size() || components[k].size() > components[largest[label]].size())
         largest[label] = k;
     }
     std::vector<Cell_index> result;
     for (std::size_t k = 0; k != components.size(); ++k) {
       const std::size_t label = m_labelling.label(components[k].front()) ? 1 : 0;
-      if (is_filling ? label == 1 || (k == largest[0] && number[0] > 1) : k == largest[label])
+      if (is_filling ? label == 1 : k == largest[label])
         continue;
       for (Cell_index c : components[k])
         if (!Cell_complex::is_infinite(m_cells[c]))
