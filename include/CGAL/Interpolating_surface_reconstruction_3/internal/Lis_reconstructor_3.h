@@ -23,6 +23,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
@@ -104,7 +105,7 @@ private:
     if (m_normals.empty())
       find_normals();
     std::vector<Point_index> samples;
-    if (!m_progress.is_cancelled())
+    if (!m_progress.is_cancelled() && !is_flat_up_to_rounding(m_cloud.positions()))
       for (Point_index p = 0; p != m_cloud.size(); ++p)
         if (m_normals[p] != Local_vector(0, 0, 0))
           samples.push_back(p);
@@ -121,7 +122,7 @@ private:
     });
   }
 
-  // Samples in one plane have no tetrahedra, and those of no surface too many.
+  // Samples in one plane have no tetrahedra, or none but for rounding, and those of no surface too many.
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
