@@ -13,7 +13,10 @@
 
 #include "isr_archetype_traits.h"
 #include "isr_test_ctc.h"
+#include "isr_test_lis.h"
 #include "isr_test_pcr.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
 
 using namespace isr_test;
 
@@ -56,6 +59,23 @@ void test_normals()
   ISR_CHECK(volumes_of_components(points, triples).front() < 0.);
 }
 
+// LIS and its function, on samples with normals and without.
+void test_lis()
+{
+  begin_case("LIS");
+  const Points points = sphere_fibonacci(300).points;
+  const auto traits = params::geom_traits(Archetype_traits());
+  std::vector<Archetype_traits::Point_3> vertices;
+  Triples triples;
+  CGAL::lis_reconstruction(wrapped(points), vertices, triples, traits);
+  ISR_CHECK(triples == lis(points, params::default_values()).triangles);
+
+  using Function = CGAL::Interpolating_surface_reconstruction_3::Linear_implicit_function_3<Archetype_traits>;
+  const Function function(wrapped(points), traits);
+  ISR_CHECK(function(Archetype_traits::make_point(Point(0, 0, .5))) < 0.);
+  ISR_CHECK(function(Archetype_traits::make_point(Point(0, 0, 1.5))) > 0.);
+}
+
 int main()
 {
   test_same_as_kernel("sphere", sphere_fibonacci(500).points);
@@ -65,5 +85,6 @@ int main()
   test_same_as_kernel("random cube", random_cube(200, 1));
   test_same_as_kernel("empty", {});
   test_normals();
+  test_lis();
   return result();
 }
