@@ -38,8 +38,10 @@ reconstructs a surface through points by compatible triangle charts.
 A star of triangles is built at every point from the points around it; triangles on which the stars
 of all three vertices agree are taken at once, and small loops between them are closed if that can be
 done by nearly planar triangles; where the stars conflict, the surface is completed by facets of
-Delaunay tetrahedra that are labelled inside and outside by the votes of the stars; the remaining
-loops are closed, islands on which no star agrees are dissolved, and points left over are inserted.
+Delaunay tetrahedra that are labelled inside and outside. The labels keep the sides of the agreed charts,
+follow the votes of the stars and the angles at which circumscribed spheres meet, and then the linear
+implicit function of the normals of the surface that they make; agreed stars that this surface contradicts
+are withdrawn, once. The remaining loops are closed, islands on which no star agrees are dissolved, and points left over are inserted.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse
@@ -106,7 +108,7 @@ The method is from chapter 4 of the thesis cited in the user manual.
     \cgalParamType{an integer type}
     \cgalParamDefault{no limit}
     \cgalParamExtra{`std::invalid_argument` is thrown if it is negative. Places where stars conflict are no
-      holes: they are completed whatever the value}
+      holes: they are completed whatever the value, and openings among them may be closed}
   \cgalParamNEnd
   \cgalParamNBegin{keep_boundaries}
     \cgalParamDescription{* whether loops stay open that the sampling shows to be boundaries of the surface}
@@ -125,6 +127,8 @@ The method is from chapter 4 of the thesis cited in the user manual.
 The time is \f$ O(n \log n) \f$ for \f$ n \f$ points, with a small logarithmic part, if a ball around a
 point holds a bounded number of the points that it would hold on a plane.
 
+\sa `CGAL::pcr_reconstruction()`
+\sa `CGAL::lis_reconstruction()`
 \sa `CGAL::advancing_front_surface_reconstruction()`
 */
 template <typename ConcurrencyTag = Sequential_tag,

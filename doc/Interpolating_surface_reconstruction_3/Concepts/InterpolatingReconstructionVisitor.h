@@ -14,6 +14,7 @@ All functions but `go_further()` are called by the thread that called the recons
 
 \sa `CGAL::ctc_reconstruction()`
 \sa `CGAL::pcr_reconstruction()`
+\sa `CGAL::lis_reconstruction()`
 */
 class InterpolatingReconstructionVisitor
 {

@@ -16,6 +16,7 @@ sees, such as a diagonal chosen in its tangent plane, should be avoided.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Interpolating_surface_reconstruction_3::Restricted_voronoi_star_3}
+\cgalHasModels{CGAL::Interpolating_surface_reconstruction_3::Regularity_star_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::ctc_reconstruction()`

@@ -41,7 +41,8 @@ stars of all four points agree, whatever their tangent planes. The triangles are
 the Delaunay triangulation of the points where the sampling suffices. The star is certain as soon as
 the neighborhood reaches twice as far as the farthest vertex of the polygon (the radius of security
 of L&eacute;vy and Bonneel, <em>Variational anisotropic surface meshing with Voronoi parallel linear
-enumeration</em>, 2012). The construction follows Boltcheva and L&eacute;vy, <em>Surface
+enumeration</em>, 2012). The search begins with 16 neighbors and ends with 256: a star that is not certain
+by then is taken as it is. The construction follows Boltcheva and L&eacute;vy, <em>Surface
 reconstruction by computing restricted Voronoi cells in parallel</em>, 2017.
 
 \cgalModels{StarConstruction_3}
@@ -72,7 +73,7 @@ private:
   // Two rings of a regular sample hold 18 points: fewer seldom make a star certain, and their normal
   // changes little with more.
   static constexpr std::size_t INITIAL_NEIGHBORS = 16;
-  // Twice doubled. A star that is not certain by then has a gap, or triangles that are far longer
+  // Four times doubled. A star that is not certain by then has a gap, or triangles that are far longer
   // than its shortest ones.
   static constexpr std::size_t MAXIMUM_NEIGHBORS = 256;
 

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
