@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
   Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
                    bool keeps_components, Cancellation_point&& cancellation_point)
     : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components),
-      m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_mark(cells.size(), 0)
+      m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_components(cells, labelling)
   {
     std::vector<std::uint32_t> cells_at(m_cell_of.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c) {
@@ -179,13 +180,6 @@ private:
     double gain;
   };
 
-  struct Star_cell
-  {
-    Cell_index cell;
-    std::uint32_t component;
-    bool operator<(const Star_cell& other) const { return cell < other.cell; }
-  };
-
   std::size_t position_of(Point_index p) const
   {
     const std::vector<Point_index>& points = m_cells.points();
@@ -194,58 +188,9 @@ private:
     return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
   }
 
-  // Finds the components of equal labels around vertex v; m_star gets the cells around it.
   std::size_t find_components(std::size_t v)
   {
-    return find_components(v, m_cell_of[v]);
-  }
-
-  // As above, beginning at a cell.
-  std::size_t find_components(std::size_t v, Cell_index first)
-  {
-    const Point_index p = m_cells.points()[v];
-    std::uint32_t components = 0;
-    ++m_stamp;
-    m_star.clear();
-    m_seeds.assign(1, first);
-    while (!m_seeds.empty()) {
-      const Cell_index seed = m_seeds.back();
-      m_seeds.pop_back();
-      if (m_mark[seed] == m_stamp)
-        continue;
-      m_mark[seed] = m_stamp;
-      m_stack.assign(1, seed);
-      while (!m_stack.empty()) {
-        const Cell_index c = m_stack.back();
-        m_stack.pop_back();
-        m_star.push_back(Star_cell{ c, components });
-        for (std::size_t i = 0; i != 4; ++i) {
-          const Cell_index n = m_cells[c].neighbors[i];
-          if (m_cells[c].vertices[i] == p || m_mark[n] == m_stamp)
-            continue;
-          if (m_labelling.label(n) == m_labelling.label(c)) {
-            m_mark[n] = m_stamp;
-            m_stack.push_back(n);
-          } else {
-            m_seeds.push_back(n);
-          }
-        }
-      }
-      ++components;
-    }
-    return components;
-  }
-
-  // The cells of each component around v, which find_components() has found, in the order of their
-  // smallest cells. Sorts m_star.
-  std::vector<std::vector<Cell_index> > components_of_star(std::size_t components)
-  {
-    std::sort(m_star.begin(), m_star.end());
-    std::vector<std::vector<Cell_index> > result(components);
-    for (const Star_cell& c : m_star)
-      result[c.component].push_back(c.cell);
-    std::sort(result.begin(), result.end());
-    return result;
+    return m_components.find(m_cells.points()[v], m_cell_of[v]);
   }
 
   // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
@@ -275,13 +220,13 @@ private:
   bool improve(std::size_t v)
   {
     m_best = Move{ {}, 0, 0. };
-    std::vector<std::vector<Cell_index> > moves = components_of_star(find_components(v));
+    std::vector<std::vector<Cell_index> > moves = m_components.sorted(find_components(v));
     const bool is_off_surface = moves.size() == 1;
     std::vector<std::size_t> size_of_component(moves.size(), 0);
-    for (const Star_cell& c : m_star)
+    for (const auto& c : m_components.cells())
       ++size_of_component[c.component];
-    for (const Star_cell& c : m_star)
-      if (size_of_component[c.component] > 1 && (is_off_surface || is_between_components(v, c)))
+    for (const auto& c : m_components.cells())
+      if (size_of_component[c.component] > 1 && (is_off_surface || m_components.is_between(c)))
         moves.push_back({ c.cell });
     for (const std::vector<Cell_index>& cells : moves)
       try_move(v, cells);
@@ -290,23 +235,6 @@ private:
     flip(m_best.cells);
     update_defects(m_best.cells);
     return true;
-  }
-
-  // Whether a change of the cell joins components around v; else, as long as its own does not vanish, it
-  // lessens no defects there.
-  bool is_between_components(std::size_t v, const Star_cell& c) const
-  {
-    std::uint32_t first = c.component;
-    for (std::size_t i = 0; i != 4; ++i) {
-      if (m_cells[c.cell].vertices[i] == m_cells.points()[v])
-        continue;
-      const std::uint32_t other = std::lower_bound(m_star.begin(), m_star.end(), Star_cell{ m_cells[c.cell].neighbors[i], 0 })->component;
-      if (first == c.component)
-        first = other;
-      else if (other != c.component && other != first)
-        return true;
-    }
-    return false;
   }
 
   void flip(const std::vector<Cell_index>& cells)
@@ -386,7 +314,7 @@ private:
   const std::vector<Cell_index>& best_component(std::size_t v, bool is_filling)
   {
     m_best = Move{ {}, 0, 0. };
-    for (std::vector<Cell_index>& cells : components_of_star(find_components(v))) {
+    for (std::vector<Cell_index>& cells : m_components.sorted(find_components(v))) {
       const bool label = m_labelling.label(cells.front());
       cells.erase(std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
                   cells.end());
@@ -406,10 +334,10 @@ private:
   {
     bool is_changed = false;
     for (Hub& hub : m_hubs) {
-      const std::size_t number = find_components(hub.vertex, hub.cell);
+      const std::size_t number = m_components.find(m_cells.points()[hub.vertex], hub.cell);
       if (number <= 2)
         continue;
-      const std::vector<std::vector<Cell_index> > components = components_of_star(number);
+      const std::vector<std::vector<Cell_index> > components = m_components.sorted(number);
       const std::vector<Cell_index> cells = beside_largest(components, hub.changes == FREE_CHANGES);
       if (hub.changes != FREE_CHANGES)
         ++hub.changes;
@@ -450,10 +378,7 @@ private:
   std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope that is no hub, else NO_CELL
   std::vector<Hub> m_hubs;
   std::vector<int> m_defects;         // of each point, 0 out of the scope
-  std::vector<std::uint32_t> m_mark;  // of each cell: the last search that reached it
-  std::uint32_t m_stamp = 0;
-  std::vector<Star_cell> m_star;      // of the last search
-  std::vector<Cell_index> m_seeds, m_stack;
+  Label_components<Labelling> m_components;
   std::vector<std::size_t> m_touched;
   Move m_best;
 };
