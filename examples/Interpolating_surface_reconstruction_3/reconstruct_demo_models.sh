@@ -15,7 +15,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 echo "Building isr_reconstruct"
 cmake -S "$root" -B "$root"/build -D CMAKE_BUILD_TYPE=Release -D CGAL_ISR_BUILD_TESTS=OFF \
-  -D CGAL_ISR_BUILD_BENCHMARK=OFF > "$scratch"/log || { cat "$scratch"/log; exit 1; }
+  -D CGAL_ISR_BUILD_EXAMPLES=ON -D CGAL_ISR_BUILD_BENCHMARK=OFF > "$scratch"/log || { cat "$scratch"/log; exit 1; }
 cmake --build "$root"/build --target isr_reconstruct
 program=$(find "$root"/build -name isr_reconstruct -type f -perm -u+x)
 

@@ -73,10 +73,17 @@ public:
     return octree;
   }
 
+  // A star that sees far closes an opening that shall stay.
+  std::size_t maximum_neighbors() const
+  {
+    constexpr std::size_t NO_LIMIT = (std::numeric_limits<std::size_t>::max)(), NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
+    return m_options.keep_boundaries || m_options.maximum_hole_size != NO_LIMIT ? NEIGHBORS_THIS_SIDE_OF_OPENINGS : NO_LIMIT;
+  }
+
   Star_table build_stars(const Point_octree_3& octree, double share)
   {
     m_progress.begin_stage(Stage::STARS, share);
-    Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(), m_progress);
+    Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(), m_progress, maximum_neighbors());
     m_progress.end_stage(stars.size());
     return stars;
   }

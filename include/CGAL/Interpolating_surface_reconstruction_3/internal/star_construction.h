@@ -21,8 +21,10 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/parallel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,7 +45,7 @@ struct Neighborhoods<Box_neighborhood_tag> { using type = Box_neighborhoods; };
 template <typename StarConstruction>
 Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const Point_octree_3& octree,
                                   const StarConstruction& construction, double maximum_radius,
-                                  std::size_t begin, std::size_t end)
+                                  std::size_t maximum_neighbors, std::size_t begin, std::size_t end)
 {
   typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type
     neighborhoods(points, octree, maximum_radius);
@@ -55,7 +57,7 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
     const Point_octree_3::Node& leaf = octree.node(octree.leaves()[l]);
     links.resize((std::max)(links.size(), std::size_t(leaf.end - leaf.begin)));
     neighborhoods.for_each_point(
-      leaf, construction.initial_number_of_neighbors(), construction.maximum_number_of_neighbors(),
+      leaf, construction.initial_number_of_neighbors(), maximum_neighbors,
       [&](Point_index p, const Star_neighborhood& neighborhood) {
         const bool is_certain = construction(neighborhood, star);
         std::vector<Point_index>& link = links[p - leaf.begin];
@@ -73,19 +75,22 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
   return block;
 }
 
-// The star of every point (thesis 4.3.2 and 4.3.3); no star depends on another.
+// The star of every point (thesis 4.3.2 and 4.3.3), which sees no more than `maximum_neighbors`; no star
+// depends on another.
 template <typename ConcurrencyTag, typename StarConstruction, typename Progress>
 Star_table construct_stars(const std::vector<Local_point>& points, const Point_octree_3& octree,
-                           const StarConstruction& construction, double maximum_radius, Progress& progress)
+                           const StarConstruction& construction, double maximum_radius, Progress& progress,
+                           std::size_t maximum_neighbors = (std::numeric_limits<std::size_t>::max)())
 {
   constexpr std::size_t LEAVES_PER_BLOCK = 64;
   const std::size_t leaves = octree.leaves().size();
   std::vector<Star_table::Block> blocks((leaves + LEAVES_PER_BLOCK - 1) / LEAVES_PER_BLOCK);
+  maximum_neighbors = (std::min)(maximum_neighbors, construction.maximum_number_of_neighbors());
   std::atomic<std::size_t> done{0};
   for_each_block<ConcurrencyTag>(leaves, LEAVES_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
     if (progress.advance(double(done += end - begin) / double(leaves)))
       blocks[begin / LEAVES_PER_BLOCK] =
-        stars_of_leaves(points, octree, construction, maximum_radius, begin, end);
+        stars_of_leaves(points, octree, construction, maximum_radius, maximum_neighbors, begin, end);
   });
   return Star_table(std::move(blocks));
 }
