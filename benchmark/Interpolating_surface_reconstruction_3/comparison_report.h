@@ -62,8 +62,7 @@ struct Model_rows
 class Report
 {
 public:
-  Report(std::ostream& out, const std::string& csv_file)
-    : m_out(out)
+  Report(std::ostream& out, const std::string& csv_file) : m_out(out)
   {
     if (!csv_file.empty()) {
       m_csv.open(csv_file);
@@ -100,20 +99,28 @@ public:
   }
 
 private:
-  struct Column { const char* title; int width; };
+  struct Column
+  {
+    const char* title;
+    int width;
+  };
 
   static const std::vector<Column>& columns()
   {
-    static const std::vector<Column> result = {
-      { "model", -18 }, { "method", -9 }, { "min_s", 8 }, { "med_s", 8 }, { "AF/x", 6 },
-      { "triangles", 9 }, { "used", 7 }, { "points", 7 }, { "comp", 5 }, { "b_edges", 7 }, { "loops", 5 },
-      { "euler", 6 }, { "nm_e", 5 }, { "nm_v", 5 }, { "degen", 5 }, { "orient", 6 }, { "outward", 7 },
-      { "crossings", 9 }, { "H%", 9 }, { "mean%", 9 }, { "RMS%", 9 }, { "SD%", 9 } };
+    static const std::vector<Column> result = { { "model", -18 }, { "method", -9 },   { "min_s", 8 }, { "med_s", 8 },
+                                                { "AF/x", 6 },    { "triangles", 9 }, { "used", 7 },  { "points", 7 },
+                                                { "comp", 5 },    { "b_edges", 7 },   { "loops", 5 }, { "euler", 6 },
+                                                { "nm_e", 5 },    { "nm_v", 5 },      { "degen", 5 }, { "orient", 6 },
+                                                { "outward", 7 }, { "crossings", 9 }, { "H%", 9 },    { "mean%", 9 },
+                                                { "RMS%", 9 },    { "SD%", 9 } };
     return result;
   }
 
   template <typename T>
-  static std::string text(const T& value) { return std::to_string(value); }
+  static std::string text(const T& value)
+  {
+    return std::to_string(value);
+  }
 
   static std::string text(double value, int digits)
   {
@@ -127,17 +134,27 @@ private:
     const std::string none = "-";
     const Mesh_statistics& s = row.statistics;
     const auto metric = [&](double value) { return row.has_metrics ? text(value, 5) : none; };
-    return { row.model, row.method,
+    return { row.model,
+             row.method,
              row.has_times ? text(row.minimum_seconds, 4) : none,
              row.has_times ? text(row.median_seconds, 4) : none,
              row.speedup > 0. ? text(row.speedup, 2) : none,
-             text(s.triangles), text(s.used_points), text(s.distinct_points), text(s.components),
-             text(s.boundary_edges), text(s.boundary_loops), text(s.euler_characteristic),
-             text(s.nonmanifold_edges), text(s.nonmanifold_vertices), text(s.degenerate_triangles),
+             text(s.triangles),
+             text(s.used_points),
+             text(s.distinct_points),
+             text(s.components),
+             text(s.boundary_edges),
+             text(s.boundary_loops),
+             text(s.euler_characteristic),
+             text(s.nonmanifold_edges),
+             text(s.nonmanifold_vertices),
+             text(s.degenerate_triangles),
              s.is_oriented ? "yes" : "no",
              text(s.outward_components) + "/" + text(s.closed_components),
              row.has_intersections ? text(row.intersections) : none,
-             metric(row.metrics.hausdorff), metric(row.metrics.mean), metric(row.metrics.root_mean_square),
+             metric(row.metrics.hausdorff),
+             metric(row.metrics.mean),
+             metric(row.metrics.root_mean_square),
              metric(row.metrics.standard_deviation) };
   }
 
@@ -145,8 +162,7 @@ private:
   {
     for (std::size_t i = 0; i != values.size(); ++i) {
       const int width = columns()[i].width;
-      m_out << (i == 0 ? "" : " ") << (width < 0 ? std::left : std::right) << std::setw(std::abs(width))
-            << values[i];
+      m_out << (i == 0 ? "" : " ") << (width < 0 ? std::left : std::right) << std::setw(std::abs(width)) << values[i];
       if (m_csv)
         m_csv << (i == 0 ? "" : ",") << values[i];
     }
@@ -224,9 +240,9 @@ private:
 
   void print(const Summary& s, const std::string& method, const std::string& baseline) const
   {
-    m_out << "summary " << method << " over " << m_models.size() << " models: closed " << s.closed
-          << ", manifold " << s.manifold << ", oriented and outward " << s.outward << ", all points used "
-          << s.all_used << ", seconds " << text(s.seconds, 3);
+    m_out << "summary " << method << " over " << m_models.size() << " models: closed " << s.closed << ", manifold "
+          << s.manifold << ", oriented and outward " << s.outward << ", all points used " << s.all_used << ", seconds "
+          << text(s.seconds, 3);
     if (s.timed != 0)
       m_out << ", AF/" << method << " time " << text(std::exp(s.log_speedup / double(s.timed)), 2)
             << " (geometric mean)";
@@ -235,14 +251,14 @@ private:
       m_out << "  exact topology: " << s.exact_closed << " of " << s.closed_references << " closed references, "
             << s.exact << " of all " << s.references << '\n';
     if (s.tested != 0)
-      m_out << "  free of self-intersection: " << s.without_intersections << " of " << s.tested
-            << ", pairs in all " << s.intersections << '\n';
+      m_out << "  free of self-intersection: " << s.without_intersections << " of " << s.tested << ", pairs in all "
+            << s.intersections << '\n';
     if (s.compared == 0)
       return;
     m_out << "  over " << s.compared << " references: ";
     if (baseline != method)
-      m_out << "H not above " << baseline << ": " << s.hausdorff_not_above << ", mean not above " << baseline
-            << ": " << s.mean_not_above << "; ";
+      m_out << "H not above " << baseline << ": " << s.hausdorff_not_above << ", mean not above " << baseline << ": "
+            << s.mean_not_above << "; ";
     m_out << "sum of H " << text(s.sum.hausdorff, 4) << ", of means " << text(s.sum.mean, 5) << ", of RMS "
           << text(s.sum.root_mean_square, 5) << '\n';
   }

@@ -44,10 +44,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Triples = std::vector<std::array<std::size_t, 3> >;
 
-double seconds_since(Clock::time_point begin)
-{
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // Finds the longest time between two polls, and the stage in which it was.
 struct Poll_watch : isr::Default_visitor
@@ -80,10 +77,9 @@ void run_to_end(const isr_test::Hostile_generator& input, const isr_test::Points
   const double seconds = seconds_since(begin);
   const double n = double((std::max)(std::size_t(1), points.size()));
   std::cout << std::left << std::setw(28) << input.name << std::right << std::fixed << std::setprecision(2)
-            << std::setw(10) << points.size() << std::setw(10) << triples.size()
-            << std::setw(10) << 1e6 * seconds / n << std::setprecision(0)
-            << std::setw(10) << double(memory.growth_in_bytes()) / n
-            << std::setw(10) << 1e3 * watch.longest << std::setw(6) << watch.longest_stage << std::endl;
+            << std::setw(10) << points.size() << std::setw(10) << triples.size() << std::setw(10) << 1e6 * seconds / n
+            << std::setprecision(0) << std::setw(10) << double(memory.growth_in_bytes()) / n << std::setw(10)
+            << 1e3 * watch.longest << std::setw(6) << watch.longest_stage << std::endl;
 }
 
 void cancel(const isr_test::Hostile_generator& input, const isr_test::Points& points, std::size_t runs)
@@ -134,7 +130,9 @@ int main(int argc, char** argv)
   std::cout << (runs == 0 ? "input                           points triangles  us/point   B/point   poll ms stage\n"
                           : "input                           points    run ms cancelled median ms    max ms\n");
   std::vector<isr_test::Hostile_generator> inputs = isr_test::hostile_corpus();
-  inputs.insert(inputs.begin(), { "sphere", [](std::size_t m, std::uint64_t seed) { return isr_test::sphere_random(m, seed).points; } });
+  inputs.insert(inputs.begin(), { "sphere", [](std::size_t m, std::uint64_t seed) {
+                                   return isr_test::sphere_random(m, seed).points;
+                                 } });
   for (const isr_test::Hostile_generator& input : inputs) {
     if (arguments.size() > 1 && std::find(arguments.begin() + 1, arguments.end(), input.name) == arguments.end())
       continue;

@@ -36,7 +36,7 @@ using namespace isr_benchmark;
 
 struct Options
 {
-  std::vector<std::unique_ptr<Method>> methods;
+  std::vector<std::unique_ptr<Method> > methods;
   std::size_t threads = 1;
   std::size_t runs = 3;
   std::size_t intersection_limit = 200000;
@@ -47,21 +47,21 @@ struct Options
 };
 
 const char* const usage =
-    "usage: isr_compare [options] FILE_OR_FOLDER...\n"
-    "       isr_compare [options] --memory METHOD FILE\n"
-    "\n"
-    "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference, and LIS\n"
-    "gets its normals.\n"
-    "\n"
-    "  --runs N                 runs of each method, alternating (default 3)\n"
-    "  --method af|ctc|pcr|lis  run this method only; may be repeated\n"
-    "  --threads N              CTC, PCR and LIS with Parallel_tag on N > 1 threads (default: one\n"
-    "                           thread, Sequential_tag)\n"
-    "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
-    "  --no-metrics             no distances to the reference and no self-intersections\n"
-    "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
-    "  --csv FILE               write the rows to FILE as well\n"
-    "  --memory METHOD FILE     one run of one method; prints the peak memory per point\n";
+  "usage: isr_compare [options] FILE_OR_FOLDER...\n"
+  "       isr_compare [options] --memory METHOD FILE\n"
+  "\n"
+  "Files are .ply, .off or .xyz. If a file has polygons, its surface is the reference, and LIS\n"
+  "gets its normals.\n"
+  "\n"
+  "  --runs N                 runs of each method, alternating (default 3)\n"
+  "  --method af|ctc|pcr|lis  run this method only; may be repeated\n"
+  "  --threads N              CTC, PCR and LIS with Parallel_tag on N > 1 threads (default: one\n"
+  "                           thread, Sequential_tag)\n"
+  "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
+  "  --no-metrics             no distances to the reference and no self-intersections\n"
+  "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
+  "  --csv FILE               write the rows to FILE as well\n"
+  "  --memory METHOD FILE     one run of one method; prints the peak memory per point\n";
 
 Options parse(int argc, char** argv)
 {
@@ -100,7 +100,7 @@ Options parse(int argc, char** argv)
   if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
     throw std::invalid_argument("file missing");
   if (names.empty())
-    names = {"af", "ctc", "pcr"};
+    names = { "af", "ctc", "pcr" };
   options.methods = methods_of_names(names, keep_boundaries);
   return options;
 }
@@ -114,9 +114,8 @@ void measure_memory(const Options& options)
   const Reconstruction result = method(model, options.threads);
   const double bytes = static_cast<double>(memory.growth_in_bytes());
   std::cout << model.name << ' ' << name(method) << ": " << model.points.size() << " points, "
-            << result.triangles.size() << " triangles, peak " << bytes / 1e6
-            << " MB above the points, " << bytes / static_cast<double>(model.points.size())
-            << " bytes a point\n";
+            << result.triangles.size() << " triangles, peak " << bytes / 1e6 << " MB above the points, "
+            << bytes / static_cast<double>(model.points.size()) << " bytes a point\n";
 }
 
 Row describe(const Model& model, const std::string& method, const std::vector<Triangle>& triangles,
@@ -136,8 +135,8 @@ Row describe(const Model& model, const std::string& method, const std::vector<Tr
 void compare(Model model, const Options& options, Report& report)
 {
   const std::size_t n = options.methods.size();
-  std::vector<std::vector<double>> seconds(n);
-  std::vector<std::vector<Triangle>> triangles(n);
+  std::vector<std::vector<double> > seconds(n);
+  std::vector<std::vector<Triangle> > triangles(n);
   std::vector<std::string> failures(n);
   set_reference_normals(model);
   for (std::size_t run = 0; run != options.runs; ++run)

@@ -51,10 +51,7 @@ Cloud make_cloud(const std::vector<Point>& points)
   return Cloud(points, CGAL::Identity_property_map<Point>(), Kernel());
 }
 
-void report_points(benchmark::State& state)
-{
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-}
+void report_points(benchmark::State& state) { state.SetItemsProcessed(state.iterations() * state.range(0)); }
 
 void point_cloud(benchmark::State& state)
 {

@@ -39,9 +39,9 @@ inline std::string name(const Method& method)
   return key;
 }
 
-inline std::vector<std::unique_ptr<Method>> compared_methods(bool keep_boundaries)
+inline std::vector<std::unique_ptr<Method> > compared_methods(bool keep_boundaries)
 {
-  std::vector<std::unique_ptr<Method>> methods;
+  std::vector<std::unique_ptr<Method> > methods;
   methods.push_back(std::make_unique<Advancing_front>());
   methods.push_back(std::make_unique<Ctc>(keep_boundaries));
   methods.push_back(std::make_unique<Pcr>(keep_boundaries));
@@ -50,15 +50,14 @@ inline std::vector<std::unique_ptr<Method>> compared_methods(bool keep_boundarie
 }
 
 // The methods of these names, upper or lower case, in the order of the names.
-inline std::vector<std::unique_ptr<Method>> methods_of_names(const std::vector<std::string>& names,
-                                                             bool keep_boundaries)
+inline std::vector<std::unique_ptr<Method> > methods_of_names(const std::vector<std::string>& names,
+                                                              bool keep_boundaries)
 {
-  std::vector<std::unique_ptr<Method>> chosen;
+  std::vector<std::unique_ptr<Method> > chosen;
   for (const std::string& text : names) {
-    std::vector<std::unique_ptr<Method>> methods = compared_methods(keep_boundaries);
-    const auto found = std::find_if(methods.begin(), methods.end(), [&](const auto& method) {
-      return text == method->key() || text == name(*method);
-    });
+    std::vector<std::unique_ptr<Method> > methods = compared_methods(keep_boundaries);
+    const auto found = std::find_if(methods.begin(), methods.end(),
+                                    [&](const auto& method) { return text == method->key() || text == name(*method); });
     if (found == methods.end())
       throw std::invalid_argument("unknown method " + text + " (af, ctc, pcr, lis)");
     chosen.push_back(std::move(*found));
@@ -75,9 +74,8 @@ inline void set_reference_normals(Model& model)
   model.normals.assign(model.points.size(), CGAL::NULL_VECTOR);
   for (const Triangle& t : model.triangles)
     for (std::size_t v : t)
-      model.normals[v] =
-          model.normals[v] + CGAL::cross_product(model.points[t[1]] - model.points[t[0]],
-                                                 model.points[t[2]] - model.points[t[0]]);
+      model.normals[v] = model.normals[v] + CGAL::cross_product(model.points[t[1]] - model.points[t[0]],
+                                                                model.points[t[2]] - model.points[t[0]]);
 }
 
 // Triangles of positions in the points of the model: methods that write vertices do so in their

@@ -26,10 +26,8 @@ int main(int argc, char* argv[])
     return progress < 0.5;
   };
   CGAL::Surface_mesh<Point_3> mesh;
-  const bool is_complete =
-    CGAL::ctc_reconstruction(points, mesh, CGAL::parameters::callback(callback));
+  const bool is_complete = CGAL::ctc_reconstruction(points, mesh, CGAL::parameters::callback(callback));
 
-  std::cout << (is_complete ? "complete" : "cancelled") << ", " << mesh.number_of_faces()
-            << " triangles" << std::endl;
+  std::cout << (is_complete ? "complete" : "cancelled") << ", " << mesh.number_of_faces() << " triangles" << std::endl;
   return !is_complete && mesh.is_empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

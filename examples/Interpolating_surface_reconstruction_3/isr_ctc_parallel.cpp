@@ -37,7 +37,6 @@ int main(int argc, char* argv[])
   const Triangles one_by_one = timed_reconstruction<CGAL::Sequential_tag>(points, "sequential");
   const Triangles at_once = timed_reconstruction<CGAL::Parallel_if_available_tag>(points, "parallel");
 
-  std::cout << (one_by_one == at_once ? "the same " : "different ") << at_once.size()
-            << " triangles" << std::endl;
+  std::cout << (one_by_one == at_once ? "the same " : "different ") << at_once.size() << " triangles" << std::endl;
   return one_by_one == at_once ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -29,10 +29,9 @@ int main(int argc, char* argv[])
 
   CGAL::Surface_mesh<Point_3> mesh;
   CGAL::ctc_reconstruction(points, mesh,
-                           CGAL::parameters::combine(points.parameters(),
-                                                     CGAL::parameters::maximum_hole_size(64)));
+                           CGAL::parameters::combine(points.parameters(), CGAL::parameters::maximum_hole_size(64)));
 
-  std::cout << mesh.number_of_vertices() << " of " << points.size() << " points in "
-            << mesh.number_of_faces() << " triangles" << std::endl;
+  std::cout << mesh.number_of_vertices() << " of " << points.size() << " points in " << mesh.number_of_faces()
+            << " triangles" << std::endl;
   return CGAL::IO::write_PLY("inside_out.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

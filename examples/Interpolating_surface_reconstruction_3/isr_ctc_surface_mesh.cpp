@@ -27,15 +27,15 @@ int main(int argc, char* argv[])
   const std::string filename = argc > 1 ? argv[1] : "data/colored_sphere.ply";
   std::ifstream in(filename, std::ios::binary);
   std::vector<Colored_point> points;
-  if (!CGAL::IO::read_PLY_with_properties(
-        in, std::back_inserter(points), CGAL::make_ply_point_reader(Point_map()),
-        std::make_tuple(Color_map(),
-                        [](unsigned char r, unsigned char g, unsigned char b) {
-                          return Byte_color{ r, g, b };
-                        },
-                        CGAL::IO::PLY_property<unsigned char>("red"),
-                        CGAL::IO::PLY_property<unsigned char>("green"),
-                        CGAL::IO::PLY_property<unsigned char>("blue")))) {
+  if (!CGAL::IO::read_PLY_with_properties(in, std::back_inserter(points), CGAL::make_ply_point_reader(Point_map()),
+                                          std::make_tuple(
+                                            Color_map(),
+                                            [](unsigned char r, unsigned char g, unsigned char b) {
+                                              return Byte_color{ r, g, b };
+                                            },
+                                            CGAL::IO::PLY_property<unsigned char>("red"),
+                                            CGAL::IO::PLY_property<unsigned char>("green"),
+                                            CGAL::IO::PLY_property<unsigned char>("blue")))) {
     std::cerr << "cannot read " << filename << std::endl;
     return EXIT_FAILURE;
   }

@@ -23,7 +23,7 @@ int main(int argc, char* argv[])
   CGAL::Surface_mesh<Point_3> mesh;
   CGAL::lis_reconstruction(points, mesh, points.parameters());
 
-  std::cout << mesh.number_of_vertices() << " of " << points.size() << " points in "
-            << mesh.number_of_faces() << " triangles" << std::endl;
+  std::cout << mesh.number_of_vertices() << " of " << points.size() << " points in " << mesh.number_of_faces()
+            << " triangles" << std::endl;
   return CGAL::IO::write_PLY("lis.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -46,7 +46,7 @@ void contour(const Function& function)
   const Grid grid(box, CGAL::make_array<std::size_t>(50, 50, 50));
   const Values values(function, grid);
   std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<std::size_t, 3> > triangles;
   CGAL::Isosurfacing::marching_cubes(Contour_domain(grid, values), 0., points, triangles);
   std::cout << triangles.size() << " triangles by marching cubes" << std::endl;
 }
@@ -70,15 +70,15 @@ int main(int argc, char* argv[])
   const CGAL::Bbox_3 box = function.bbox();
   const Point_3 low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
   const double diagonal = std::sqrt(CGAL::squared_distance(low, high));
-  const Domain domain = Domain::create_implicit_mesh_domain(
-    function, Kernel::Sphere_3(CGAL::midpoint(low, high), diagonal * diagonal));
+  const Domain domain =
+    Domain::create_implicit_mesh_domain(function, Kernel::Sphere_3(CGAL::midpoint(low, high), diagonal * diagonal));
 
   const Criteria criteria(Criteria::Facet_criteria(25, .03 * diagonal, .003 * diagonal),
                           Criteria::Cell_criteria(3, .1 * diagonal));
   const Complex mesh = CGAL::make_mesh_3<Complex>(domain, criteria);
 
-  std::cout << mesh.number_of_facets_in_complex() << " triangles around "
-            << mesh.number_of_cells_in_complex() << " tetrahedra" << std::endl;
+  std::cout << mesh.number_of_facets_in_complex() << " triangles around " << mesh.number_of_cells_in_complex()
+            << " tetrahedra" << std::endl;
   std::ofstream out("lis_function.off");
   mesh.output_boundary_to_off(out);
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

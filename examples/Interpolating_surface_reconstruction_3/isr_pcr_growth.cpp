@@ -48,10 +48,12 @@ int main(int argc, char* argv[])
   constexpr std::size_t STEPS = 8;
   for (std::size_t step = 1; step <= STEPS; ++step) {
     const std::vector<Triangle> grown(recorder.triangles.begin(),
-                                      recorder.triangles.begin() + std::ptrdiff_t(recorder.triangles.size() * step / STEPS));
+                                      recorder.triangles.begin() +
+                                        std::ptrdiff_t(recorder.triangles.size() * step / STEPS));
     if (!CGAL::IO::write_polygon_soup("growth_" + std::to_string(step) + ".off", points, grown))
       return EXIT_FAILURE;
   }
-  std::cout << recorder.triangles.size() << " triangles in the growth, " << surface.size() << " in the surface" << std::endl;
+  std::cout << recorder.triangles.size() << " triangles in the growth, " << surface.size() << " in the surface"
+            << std::endl;
   return EXIT_SUCCESS;
 }

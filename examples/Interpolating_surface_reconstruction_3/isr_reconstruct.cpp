@@ -26,16 +26,15 @@ void check_distinct_files(const isr::Command_line& arguments)
 {
   namespace fs = std::filesystem;
   const auto are_same = [](const std::string& a, const std::string& b) {
-    return !a.empty() && !b.empty() &&
-           fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+    return !a.empty() && !b.empty() && fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
   };
   if (are_same(arguments.input, arguments.output) || are_same(arguments.input, arguments.stats) ||
       are_same(arguments.output, arguments.stats))
     throw isr::Failure(isr::BAD_OPTION, "input, output and statistics must be different files");
 }
 
-void reconstruct(const isr::Point_set& points, const isr::Command_line& arguments,
-                 isr::Point_counter& counter, isr::Mesh& mesh)
+void reconstruct(const isr::Point_set& points, const isr::Command_line& arguments, isr::Point_counter& counter,
+                 isr::Mesh& mesh)
 {
   isr::Progress_bar bar(!arguments.is_quiet);
   const auto callback = [&bar](double fraction) {
@@ -67,15 +66,13 @@ void run(const isr::Command_line& arguments)
   reconstruct(points, arguments, counter, mesh);
   timer.stop();
   if (mesh.number_of_faces() == 0)
-    throw isr::Failure(isr::NO_SURFACE,
-                       "no surface found in '" + arguments.input + "': " +
-                       std::to_string(points.size()) + " points, of which " +
-                       std::to_string(counter.duplicates) + " are duplicates and " +
-                       std::to_string(counter.non_finite) + " are not finite");
+    throw isr::Failure(isr::NO_SURFACE, "no surface found in '" + arguments.input +
+                                          "': " + std::to_string(points.size()) + " points, of which " +
+                                          std::to_string(counter.duplicates) + " are duplicates and " +
+                                          std::to_string(counter.non_finite) + " are not finite");
 
-  const isr::Summary summary = isr::summarize(arguments.input, arguments.output,
-                                              arguments.reconstruction, points, counter, mesh,
-                                              timer.time());
+  const isr::Summary summary =
+    isr::summarize(arguments.input, arguments.output, arguments.reconstruction, points, counter, mesh, timer.time());
   isr::carry_properties(points, mesh);
   isr::write_mesh(mesh, output);
   if (stats) {

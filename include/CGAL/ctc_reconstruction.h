@@ -131,12 +131,10 @@ point holds a bounded number of the points that it would hold on a plane.
 \sa `CGAL::lis_reconstruction()`
 \sa `CGAL::advancing_front_surface_reconstruction()`
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename TriangleOutputIterator,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename TriangleOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-TriangleOutputIterator
-ctc_reconstruction(const PointRange& points, TriangleOutputIterator triangles,
-                   const NamedParameters& np = parameters::default_values())
+TriangleOutputIterator ctc_reconstruction(const PointRange& points, TriangleOutputIterator triangles,
+                                          const NamedParameters& np = parameters::default_values())
 {
   using Algorithm = Interpolating_surface_reconstruction_3::internal::Ctc_algorithm<ConcurrencyTag>;
   Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
@@ -167,8 +165,7 @@ overload for triangles.
 
 \return `false` if the reconstruction was cancelled; the mesh is unchanged then.
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename Point,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename Point,
           typename NamedParameters = parameters::Default_named_parameters>
 bool ctc_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
                         const NamedParameters& np = parameters::default_values())
@@ -177,8 +174,7 @@ bool ctc_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
   std::vector<std::array<std::size_t, 3> > triangles;
   const bool is_complete = Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
     points, [&](const std::array<std::size_t, 3>& triangle) { triangles.push_back(triangle); }, np);
-  return is_complete &&
-         Interpolating_surface_reconstruction_3::triangles_to_surface_mesh(points, triangles, mesh, np);
+  return is_complete && Interpolating_surface_reconstruction_3::triangles_to_surface_mesh(points, triangles, mesh, np);
 }
 
 } // namespace CGAL

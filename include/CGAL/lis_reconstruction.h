@@ -145,16 +145,15 @@ surface have \f$ O(n \log n) \f$ tetrahedra.
 
 \sa `CGAL::poisson_surface_reconstruction_delaunay()`
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename OutputPointRange, typename OutputTriangleRange,
-          typename NamedParameters = parameters::Default_named_parameters
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename OutputPointRange,
+          typename OutputTriangleRange, typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<boost::has_range_iterator<OutputTriangleRange>::value, int> = 0
+          ,
+          std::enable_if_t<boost::has_range_iterator<OutputTriangleRange>::value, int> = 0
 #endif
-         >
-bool lis_reconstruction(const PointRange& points,
-                        OutputPointRange& output_points, OutputTriangleRange& output_triangles,
-                        const NamedParameters& np = parameters::default_values())
+          >
+bool lis_reconstruction(const PointRange& points, OutputPointRange& output_points,
+                        OutputTriangleRange& output_triangles, const NamedParameters& np = parameters::default_values())
 {
   using Output_point = typename boost::range_value<OutputPointRange>::type;
   using Output_triangle = typename boost::range_value<OutputTriangleRange>::type;
@@ -163,8 +162,7 @@ bool lis_reconstruction(const PointRange& points,
     [&](const auto& cloud, const auto& surface) {
       const std::size_t first = output_points.size();
       Interpolating_surface_reconstruction_3::internal::write_surface(
-        cloud, surface,
-        [&](const auto& point, std::size_t) { output_points.push_back(Output_point(point)); },
+        cloud, surface, [&](const auto& point, std::size_t) { output_points.push_back(Output_point(point)); },
         [&](const std::array<std::size_t, 3>& triangle) {
           Output_triangle t;
           CGAL::internal::resize(t, 3);
@@ -199,8 +197,7 @@ points of the range. The named parameters and guarantees are those of the overlo
 
 \return `false` if the reconstruction was cancelled; the mesh is unchanged then.
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename Point,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename Point,
           typename NamedParameters = parameters::Default_named_parameters>
 bool lis_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
                         const NamedParameters& np = parameters::default_values())
@@ -213,11 +210,11 @@ bool lis_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
       Mesh result;
       auto input_index = result.template add_property_map<Vertex, std::size_t>("v:input_index", 0).first;
       Interpolating_surface_reconstruction_3::internal::write_surface(
-        cloud, surface,
-        [&](const auto& point, std::size_t index) { input_index[result.add_vertex(point)] = index; },
+        cloud, surface, [&](const auto& point, std::size_t index) { input_index[result.add_vertex(point)] = index; },
         [&](const std::array<std::size_t, 3>& t) {
           using Size = typename Mesh::size_type;
-          result.add_face(Vertex(static_cast<Size>(t[0])), Vertex(static_cast<Size>(t[1])), Vertex(static_cast<Size>(t[2])));
+          result.add_face(Vertex(static_cast<Size>(t[0])), Vertex(static_cast<Size>(t[1])),
+                          Vertex(static_cast<Size>(t[2])));
         });
       mesh = std::move(result);
     },

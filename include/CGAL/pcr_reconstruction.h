@@ -79,12 +79,10 @@ point holds a bounded number of the points that it would hold on a plane.
 \sa `CGAL::ctc_reconstruction()`
 \sa `CGAL::advancing_front_surface_reconstruction()`
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename TriangleOutputIterator,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename TriangleOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-TriangleOutputIterator
-pcr_reconstruction(const PointRange& points, TriangleOutputIterator triangles,
-                   const NamedParameters& np = parameters::default_values())
+TriangleOutputIterator pcr_reconstruction(const PointRange& points, TriangleOutputIterator triangles,
+                                          const NamedParameters& np = parameters::default_values())
 {
   using Algorithm = Interpolating_surface_reconstruction_3::internal::Pcr_algorithm<ConcurrencyTag>;
   Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
@@ -115,8 +113,7 @@ overload for triangles.
 
 \return `false` if the reconstruction was cancelled; the mesh is unchanged then.
 */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename Point,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename Point,
           typename NamedParameters = parameters::Default_named_parameters>
 bool pcr_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
                         const NamedParameters& np = parameters::default_values())
@@ -125,8 +122,7 @@ bool pcr_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
   std::vector<std::array<std::size_t, 3> > triangles;
   const bool is_complete = Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
     points, [&](const std::array<std::size_t, 3>& triangle) { triangles.push_back(triangle); }, np);
-  return is_complete &&
-         Interpolating_surface_reconstruction_3::triangles_to_surface_mesh(points, triangles, mesh, np);
+  return is_complete && Interpolating_surface_reconstruction_3::triangles_to_surface_mesh(points, triangles, mesh, np);
 }
 
 } // namespace CGAL

@@ -112,7 +112,7 @@ public:
   };
   struct Construct_vector_3
   {
-    Vector_3 operator()(const Point_3& p, const Point_3& q) const { return Access::wrap(in(q) - in(p)); }
+    Vector_3 operator()(const Point_3& p, const Point_3& q) const { return Access::wrap(in(q)-in(p)); }
     Vector_3 operator()(const FT& x, const FT& y, const FT& z) const { return Access::wrap(Vector(x, y, z)); }
   };
   struct Construct_point_3
@@ -125,7 +125,7 @@ public:
   };
   struct Construct_scaled_vector_3
   {
-    Vector_3 operator()(const Vector_3& v, const FT& by) const { return Access::wrap(in(v) * by); }
+    Vector_3 operator()(const Vector_3& v, const FT& by) const { return Access::wrap(in(v)*by); }
   };
   struct Construct_sum_of_vectors_3
   {
@@ -160,7 +160,7 @@ public:
   };
   struct Compute_scalar_product_3
   {
-    FT operator()(const Vector_3& v, const Vector_3& w) const { return in(v) * in(w); }
+    FT operator()(const Vector_3& v, const Vector_3& w) const { return in(v)*in(w); }
   };
   struct Compute_determinant_3
   {

@@ -38,10 +38,7 @@ class Random
 public:
   explicit Random(std::uint32_t seed) : m_generator(seed) { }
 
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * (double(m_generator()) / 4294967296.);
-  }
+  double operator()(double low, double high) { return low + (high - low) * (double(m_generator()) / 4294967296.); }
 
   std::size_t below(std::size_t n) { return m_generator() % n; }
 
@@ -89,10 +86,7 @@ inline Local_point on_tilted_plane(double x, double y)
   return CGAL::ORIGIN + u * x + v * y;
 }
 
-inline Local_vector tilted_plane_normal()
-{
-  return Local_vector(1. / 3, -2. / 3, 2. / 3);
-}
+inline Local_vector tilted_plane_normal() { return Local_vector(1. / 3, -2. / 3, 2. / 3); }
 
 // m * m points of the lattice with angles of 60 degrees and edges of length 1 / m.
 inline std::vector<Local_point> hexagonal_patch(std::size_t m)
@@ -100,8 +94,8 @@ inline std::vector<Local_point> hexagonal_patch(std::size_t m)
   std::vector<Local_point> result;
   for (std::size_t j = 0; j != m; ++j)
     for (std::size_t i = 0; i != m; ++i)
-      result.push_back(on_tilted_plane((double(i) + (j % 2 == 1 ? .5 : 0.)) / double(m),
-                                       double(j) * std::sqrt(.75) / double(m)));
+      result.push_back(
+        on_tilted_plane((double(i) + (j % 2 == 1 ? .5 : 0.)) / double(m), double(j) * std::sqrt(.75) / double(m)));
   return result;
 }
 
@@ -140,9 +134,7 @@ inline std::vector<Local_point> in_morton_order(const std::vector<Local_point>& 
 // Points in Morton order, coincident ones included, with their octree.
 struct Indexed_points
 {
-  explicit Indexed_points(const std::vector<Local_point>& p)
-    : points(in_morton_order(p)), octree(points)
-  { }
+  explicit Indexed_points(const std::vector<Local_point>& p) : points(in_morton_order(p)), octree(points) { }
   Indexed_points(const Indexed_points&) = delete;
   Indexed_points& operator=(const Indexed_points&) = delete;
 
@@ -153,7 +145,7 @@ struct Indexed_points
 // The links of all stars, as indices of points or GAP, with the stars' normals and certainty.
 struct Stars
 {
-  std::vector<std::vector<Point_index>> links;
+  std::vector<std::vector<Point_index> > links;
   std::vector<Local_vector> normals;
   std::vector<bool> certain;
 
@@ -168,8 +160,7 @@ struct Stars
     std::map<std::array<Point_index, 3>, int> votes;
     for (std::size_t p = 0; p != links.size(); ++p)
       for (std::size_t i = 0; i != links[p].size(); ++i) {
-        std::array<Point_index, 3> t = { Point_index(p), links[p][i],
-                                         links[p][(i + 1) % links[p].size()] };
+        std::array<Point_index, 3> t = { Point_index(p), links[p][i], links[p][(i + 1) % links[p].size()] };
         std::sort(t.begin(), t.end());
         if (t[2] != GAP)
           ++votes[t];
@@ -188,22 +179,20 @@ Stars construct_stars(const Indexed_points& indexed, const StarConstruction& con
   result.links.resize(indexed.points.size());
   result.normals.resize(indexed.points.size());
   result.certain.resize(indexed.points.size());
-  Neighborhoods neighborhoods(indexed.points, indexed.octree,
-                              std::numeric_limits<double>::infinity());
+  Neighborhoods neighborhoods(indexed.points, indexed.octree, std::numeric_limits<double>::infinity());
   ISR::Point_star star;
   for (std::uint32_t leaf : indexed.octree.leaves())
-    neighborhoods.for_each_point(
-      indexed.octree.node(leaf), StarConstruction::initial_number_of_neighbors(),
-      StarConstruction::maximum_number_of_neighbors(),
-      [&](Point_index p, const ISR::Star_neighborhood& neighborhood) {
-        const bool is_certain = construct(neighborhood, star);
-        result.links[p].clear();
-        for (std::uint32_t i : star.link)
-          result.links[p].push_back(i == GAP ? NO_POINT : neighborhoods.indices()[i]);
-        result.normals[p] = star.normal;
-        result.certain[p] = is_certain;
-        return is_certain;
-      });
+    neighborhoods.for_each_point(indexed.octree.node(leaf), StarConstruction::initial_number_of_neighbors(),
+                                 StarConstruction::maximum_number_of_neighbors(),
+                                 [&](Point_index p, const ISR::Star_neighborhood& neighborhood) {
+                                   const bool is_certain = construct(neighborhood, star);
+                                   result.links[p].clear();
+                                   for (std::uint32_t i : star.link)
+                                     result.links[p].push_back(i == GAP ? NO_POINT : neighborhoods.indices()[i]);
+                                   result.normals[p] = star.normal;
+                                   result.certain[p] = is_certain;
+                                   return is_certain;
+                                 });
   return result;
 }
 
@@ -214,8 +203,9 @@ inline bool is_counterclockwise(const Indexed_points& indexed, const Stars& star
   for (std::size_t i = 0; i != link.size(); ++i) {
     const Point_index u = link[i], v = link[(i + 1) % link.size()];
     if (u != GAP && v != GAP &&
-        !(CGAL::cross_product(indexed.points[u] - indexed.points[p],
-                              indexed.points[v] - indexed.points[p]) * stars.normals[p] > 0.))
+        !(CGAL::cross_product(indexed.points[u] - indexed.points[p], indexed.points[v] - indexed.points[p]) *
+            stars.normals[p] >
+          0.))
       return false;
   }
   return true;

@@ -36,11 +36,11 @@
 namespace isr_test {
 
 namespace isr_internal = CGAL::Interpolating_surface_reconstruction_3::internal;
+using CGAL::Interpolating_surface_reconstruction_3::Triangle_verdict;
 using isr_internal::NO_POINT;
 using isr_internal::Point_index;
-using isr_internal::Star_table;
 using isr_internal::Star_compatibility;
-using CGAL::Interpolating_surface_reconstruction_3::Triangle_verdict;
+using isr_internal::Star_table;
 
 // Progress of which nobody is told.
 struct No_progress
@@ -181,7 +181,11 @@ private:
 
 // ---- triangulated surfaces -----------------------------------------------------------------------
 
-struct Mesh { Points points; Triples triples; };
+struct Mesh
+{
+  Points points;
+  Triples triples;
+};
 
 // (m + 1)^2 points; the squares for which is_hole(column, row) holds are left out.
 template <typename IsHole>

@@ -45,7 +45,8 @@ struct Ctc
 {
   static std::string name() { return "CTC"; }
 
-  template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename Output, typename NamedParameters>
+  template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange, typename Output,
+            typename NamedParameters>
   static auto reconstruct(const PointRange& points, Output&& output, const NamedParameters& np)
   {
     return CGAL::ctc_reconstruction<ConcurrencyTag>(points, std::forward<Output>(output), np);
@@ -81,8 +82,7 @@ inline std::map<Point, std::size_t> positions_of_finite(const Points& points)
 {
   std::map<Point, std::size_t> result;
   for (std::size_t i = 0; i != points.size(); ++i)
-    if (std::isfinite(points[i].x()) && std::isfinite(points[i].y()) &&
-        std::isfinite(points[i].z()))
+    if (std::isfinite(points[i].x()) && std::isfinite(points[i].y()) && std::isfinite(points[i].z()))
       result.emplace(points[i], i);
   return result;
 }
@@ -93,17 +93,16 @@ struct Lis
 {
   static std::string name() { return "LIS, " + Normals::name(); }
 
-  template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Output,
-            typename NamedParameters>
+  template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Output, typename NamedParameters>
   static void reconstruct(const Points& points, Output&& output, const NamedParameters& np)
   {
     const auto all = params::combine(np, params::normal_map(Normals::map(points)));
-    if constexpr (std::is_same<std::decay_t<Output>, CGAL::Surface_mesh<Point>>::value) {
+    if constexpr (std::is_same<std::decay_t<Output>, CGAL::Surface_mesh<Point> >::value) {
       CGAL::lis_reconstruction<ConcurrencyTag>(points, output, all);
     } else {
       Points vertices;
       const std::map<Point, std::size_t> positions = positions_of_finite(points);
-      Sink<std::decay_t<Output>> sink{output, vertices, positions};
+      Sink<std::decay_t<Output> > sink{ output, vertices, positions };
       CGAL::lis_reconstruction<ConcurrencyTag>(points, vertices, sink, all);
     }
   }
@@ -118,8 +117,7 @@ private:
     using const_iterator = const Triple*;
     void push_back(const Triple& t)
     {
-      *output++ = Triple{positions.at(vertices[t[0]]), positions.at(vertices[t[1]]),
-                         positions.at(vertices[t[2]])};
+      *output++ = Triple{ positions.at(vertices[t[0]]), positions.at(vertices[t[1]]), positions.at(vertices[t[2]]) };
     }
     Output output;
     const Points& vertices;
@@ -137,11 +135,8 @@ struct No_normals
 struct Radial_normals
 {
   static std::string name() { return "radial normals"; }
-  static Vector normal_at(const Point& p)
-  {
-    return p == CGAL::ORIGIN ? Vector(0, 0, 1) : p - CGAL::ORIGIN;
-  }
-  static Normal_map map(const Points&) { return Normal_map{normal_at}; }
+  static Vector normal_at(const Point& p) { return p == CGAL::ORIGIN ? Vector(0, 0, 1) : p - CGAL::ORIGIN; }
+  static Normal_map map(const Points&) { return Normal_map{ normal_at }; }
 };
 
 // Those of planes fitted to neighbors, away from the origin; they depend on the order of points at
@@ -158,24 +153,21 @@ struct Plane_normals
     double largest = 0.;
     for (const auto& p : positions_of_finite(points)) {
       samples.emplace_back(p.first, Vector(0, 0, 0));
-      largest = (std::max)(
-          {largest, std::abs(p.first.x()), std::abs(p.first.y()), std::abs(p.first.z())});
+      largest = (std::max)({ largest, std::abs(p.first.x()), std::abs(p.first.y()), std::abs(p.first.z()) });
     }
     // far from the ends of the range of double
-    const auto scaled_point = [&](const Point& p) {
-      return Point(p.x() / largest, p.y() / largest, p.z() / largest);
-    };
+    const auto scaled_point = [&](const Point& p) { return Point(p.x() / largest, p.y() / largest, p.z() / largest); };
     if (samples.size() > NEIGHBORS)
       CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
-          samples, NEIGHBORS,
-          params::point_map(boost::make_function_property_map<Oriented>([&](const Oriented& s) {
-            return scaled_point(s.first);
-          })).normal_map(CGAL::Second_of_pair_property_map<Oriented>()));
-    const auto normals = std::make_shared<std::map<Point, Vector>>(samples.begin(), samples.end());
-    return Normal_map{[normals](const Point& p) {
+        samples, NEIGHBORS,
+        params::point_map(
+          boost::make_function_property_map<Oriented>([&](const Oriented& s) { return scaled_point(s.first); }))
+          .normal_map(CGAL::Second_of_pair_property_map<Oriented>()));
+    const auto normals = std::make_shared<std::map<Point, Vector> >(samples.begin(), samples.end());
+    return Normal_map{ [normals](const Point& p) {
       const Vector n = normals->at(p);
       return n * Radial_normals::normal_at(p) < 0. ? -n : n;
-    }};
+    } };
   }
 };
 

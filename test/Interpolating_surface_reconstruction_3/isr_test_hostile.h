@@ -86,10 +86,7 @@ inline Points joined(Points points, const Points& more)
 
 inline Points equal(std::size_t n, std::uint64_t) { return Points(n, Point(1, 2, 3)); }
 
-inline Points two_places(std::size_t n, std::uint64_t)
-{
-  return repeated({ Point(1, 2, 3), Point(3, 2, 1) }, n / 2);
-}
+inline Points two_places(std::size_t n, std::uint64_t) { return repeated({ Point(1, 2, 3), Point(3, 2, 1) }, n / 2); }
 
 inline Points line(std::size_t n, std::uint64_t)
 {
@@ -156,7 +153,10 @@ inline Points box_grid(std::size_t n, std::uint64_t)
   return box(m, m, m).points;
 }
 
-inline Points box_grid_rotated(std::size_t n, std::uint64_t seed) { return rotated(box_grid(n, seed), .4 + double(seed)); }
+inline Points box_grid_rotated(std::size_t n, std::uint64_t seed)
+{
+  return rotated(box_grid(n, seed), .4 + double(seed));
+}
 
 // Integer points on a common sphere.
 inline Points cospherical(std::size_t n, std::uint64_t)
@@ -192,7 +192,10 @@ inline Points cylinder_cocircular(std::size_t n, std::uint64_t)
 // The gap is drawn between 0.3 and 2 spacings.
 inline double drawn_gap(std::uint64_t seed) { return Random(seed).uniform(.3, 2.); }
 
-inline Points plates(std::size_t n, std::uint64_t seed) { return two_plates(sheet_side(n / 2), drawn_gap(seed)).points; }
+inline Points plates(std::size_t n, std::uint64_t seed)
+{
+  return two_plates(sheet_side(n / 2), drawn_gap(seed)).points;
+}
 
 inline Points boxes(std::size_t n, std::uint64_t seed) { return two_boxes(box_side(n / 2), drawn_gap(seed)).points; }
 
@@ -453,29 +456,60 @@ inline Points aspect_extreme(std::size_t n, std::uint64_t seed)
 inline std::vector<Hostile_generator> hostile_corpus()
 {
   return {
-    { "equal", hostile::equal }, { "two places", hostile::two_places }, { "line", hostile::line },
-    { "line, rounded", hostile::line_rounded }, { "circle", hostile::circle },
-    { "sheet, grid", hostile::sheet_grid }, { "sheet, rotated grid", hostile::sheet_grid_rotated },
-    { "sheet, random", hostile::sheet_random }, { "sheet, random, rotated", hostile::sheet_random_rotated },
-    { "sheet, nudged", hostile::sheet_nudged }, { "needle fan", hostile::needle_fan },
-    { "lattice", hostile::lattice_solid }, { "lattice, rotated", hostile::lattice_rotated },
-    { "lattice, nudged", hostile::lattice_nudged }, { "box", hostile::box_grid },
-    { "box, rotated", hostile::box_grid_rotated }, { "cospherical", hostile::cospherical },
-    { "cylinder", hostile::cylinder_cocircular }, { "plates", hostile::plates }, { "boxes", hostile::boxes },
-    { "boxes, rotated", hostile::boxes_rotated }, { "shells", hostile::shells },
-    { "spheres touching", hostile::spheres_touching }, { "wedge", hostile::wedge_thin },
-    { "cone", hostile::cone_sharp }, { "cones with a common tip", hostile::cones_common_tip },
-    { "Menger sponge", hostile::menger }, { "planes crossing", hostile::planes_crossing },
-    { "Moebius strip", hostile::moebius }, { "Klein bottle", hostile::klein }, { "random cube", hostile::cube_random },
-    { "outliers", hostile::sphere_outliers }, { "noise", hostile::sphere_noise }, { "helix", hostile::helix },
-    { "helices", hostile::helices }, { "ribbon", hostile::ribbon }, { "skew lines", hostile::lines_skew }, { "moment curve", hostile::moment_curve },
-    { "random walk", hostile::random_walk }, { "bicone", hostile::bicone },
-    { "crowded poles", hostile::poles_crowded }, { "varying spacing", hostile::spacing_varying },
-    { "all scales", hostile::scales_all }, { "clusters", hostile::clusters }, { "spheres far", hostile::spheres_far },
-    { "speck far", hostile::speck_far }, { "large offset", hostile::offset_large },
-    { "sheet at a large offset", hostile::offset_planar }, { "upper end of the range", hostile::range_upper },
-    { "denormal", hostile::denormal }, { "smallest denormals", hostile::denormal_smallest },
-    { "not finite", hostile::non_finite }, { "thrice", hostile::thrice }, { "nearly thrice", hostile::nearly_thrice },
+    { "equal", hostile::equal },
+    { "two places", hostile::two_places },
+    { "line", hostile::line },
+    { "line, rounded", hostile::line_rounded },
+    { "circle", hostile::circle },
+    { "sheet, grid", hostile::sheet_grid },
+    { "sheet, rotated grid", hostile::sheet_grid_rotated },
+    { "sheet, random", hostile::sheet_random },
+    { "sheet, random, rotated", hostile::sheet_random_rotated },
+    { "sheet, nudged", hostile::sheet_nudged },
+    { "needle fan", hostile::needle_fan },
+    { "lattice", hostile::lattice_solid },
+    { "lattice, rotated", hostile::lattice_rotated },
+    { "lattice, nudged", hostile::lattice_nudged },
+    { "box", hostile::box_grid },
+    { "box, rotated", hostile::box_grid_rotated },
+    { "cospherical", hostile::cospherical },
+    { "cylinder", hostile::cylinder_cocircular },
+    { "plates", hostile::plates },
+    { "boxes", hostile::boxes },
+    { "boxes, rotated", hostile::boxes_rotated },
+    { "shells", hostile::shells },
+    { "spheres touching", hostile::spheres_touching },
+    { "wedge", hostile::wedge_thin },
+    { "cone", hostile::cone_sharp },
+    { "cones with a common tip", hostile::cones_common_tip },
+    { "Menger sponge", hostile::menger },
+    { "planes crossing", hostile::planes_crossing },
+    { "Moebius strip", hostile::moebius },
+    { "Klein bottle", hostile::klein },
+    { "random cube", hostile::cube_random },
+    { "outliers", hostile::sphere_outliers },
+    { "noise", hostile::sphere_noise },
+    { "helix", hostile::helix },
+    { "helices", hostile::helices },
+    { "ribbon", hostile::ribbon },
+    { "skew lines", hostile::lines_skew },
+    { "moment curve", hostile::moment_curve },
+    { "random walk", hostile::random_walk },
+    { "bicone", hostile::bicone },
+    { "crowded poles", hostile::poles_crowded },
+    { "varying spacing", hostile::spacing_varying },
+    { "all scales", hostile::scales_all },
+    { "clusters", hostile::clusters },
+    { "spheres far", hostile::spheres_far },
+    { "speck far", hostile::speck_far },
+    { "large offset", hostile::offset_large },
+    { "sheet at a large offset", hostile::offset_planar },
+    { "upper end of the range", hostile::range_upper },
+    { "denormal", hostile::denormal },
+    { "smallest denormals", hostile::denormal_smallest },
+    { "not finite", hostile::non_finite },
+    { "thrice", hostile::thrice },
+    { "nearly thrice", hostile::nearly_thrice },
     { "extreme aspect", hostile::aspect_extreme },
   };
 }

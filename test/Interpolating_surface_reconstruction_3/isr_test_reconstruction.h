@@ -33,12 +33,24 @@ struct Counting_visitor : isr::Default_visitor
   std::size_t begun = 0, ended = 0, stages_begun = 0, stages_ended = 0;
   bool was_cancelled = false;
 
-  void on_reconstruction_begin(std::size_t n) { points = n; ++begun; }
-  void on_points_set_aside(std::size_t equal, std::size_t not_finite) { duplicates = equal; non_finite = not_finite; }
+  void on_reconstruction_begin(std::size_t n)
+  {
+    points = n;
+    ++begun;
+  }
+  void on_points_set_aside(std::size_t equal, std::size_t not_finite)
+  {
+    duplicates = equal;
+    non_finite = not_finite;
+  }
   void on_stage_begin(isr::Stage) { ++stages_begun; }
   void on_stage_end(isr::Stage, std::size_t) { ++stages_ended; }
   void on_points_unused(std::size_t n) { unused = n; }
-  void on_reconstruction_end(bool cancelled) { was_cancelled = cancelled; ++ended; }
+  void on_reconstruction_end(bool cancelled)
+  {
+    was_cancelled = cancelled;
+    ++ended;
+  }
 };
 
 // The guarantees that hold whatever the points are, and what a visitor is told.
@@ -50,8 +62,8 @@ inline void check_guarantees(const Points& points, const Triples& triples, const
   ISR_CHECK(validation::is_consistently_oriented(triples));
   ISR_CHECK(!validation::has_degenerate_triangle(points, triples, Kernel()));
   ISR_CHECK_EQUAL(visitor.points, points.size());
-  ISR_CHECK_EQUAL(validation::used_points(triples).size() + visitor.unused + visitor.duplicates +
-                    visitor.non_finite, points.size());
+  ISR_CHECK_EQUAL(validation::used_points(triples).size() + visitor.unused + visitor.duplicates + visitor.non_finite,
+                  points.size());
   ISR_CHECK_EQUAL(visitor.begun, 1u);
   ISR_CHECK_EQUAL(visitor.ended, 1u);
   ISR_CHECK_EQUAL(visitor.stages_begun, visitor.stages_ended);

@@ -70,7 +70,7 @@ struct Sample
 {
   std::string name;
   Points points;
-  long euler;               // of the surface that the points were taken from
+  long euler; // of the surface that the points were taken from
   std::size_t components;
   std::size_t boundary_loops;
 };
@@ -159,7 +159,8 @@ inline Sample double_torus(double spacing, std::uint64_t seed)
   const auto gradient = [&](const Point& p) {
     const double h = 1e-6;
     return Vector(f(p + Vector(h, 0, 0)) - f(p - Vector(h, 0, 0)), f(p + Vector(0, h, 0)) - f(p - Vector(0, h, 0)),
-                  f(p + Vector(0, 0, h)) - f(p - Vector(0, 0, h))) / (2. * h);
+                  f(p + Vector(0, 0, h)) - f(p - Vector(0, 0, h))) /
+           (2. * h);
   };
   std::map<std::array<long, 3>, Points> grid;
   const auto cell = [&](const Point& p, std::size_t neighbor) {
@@ -169,7 +170,7 @@ inline Sample double_torus(double spacing, std::uint64_t seed)
   };
   constexpr std::size_t CENTER = 13, CELLS = 27, MISSES = 20000;
   Random random(seed);
-  for (std::size_t misses = 0; misses != MISSES; ) {
+  for (std::size_t misses = 0; misses != MISSES;) {
     Point p(random.uniform(-.1, 2.1), random.uniform(-.7, .7), random.uniform(-.15, .15));
     for (int step = 0; step != 30; ++step) {
       const Vector g = gradient(p);
@@ -350,10 +351,7 @@ inline Points with_noise(Points points, double half, std::uint64_t seed)
   return points;
 }
 
-inline Points random_cube(std::size_t n, std::uint64_t seed)
-{
-  return with_noise(Points(n, Point(0, 0, 0)), 1., seed);
-}
+inline Points random_cube(std::size_t n, std::uint64_t seed) { return with_noise(Points(n, Point(0, 0, 0)), 1., seed); }
 
 inline Points with_outliers(Points points, std::size_t n, std::uint64_t seed)
 {

@@ -109,8 +109,8 @@ inline std::vector<double> volumes_of_components(const Points& points, const Tri
   const std::vector<std::size_t> components = validation::component_of_triangles(triples);
   for (std::size_t i = 0; i != triples.size(); ++i) {
     const Triple& t = triples[i];
-    volumes[components[i]] += CGAL::determinant(points[t[0]] - points[0], points[t[1]] - points[0],
-                                                points[t[2]] - points[0]) / 6.;
+    volumes[components[i]] +=
+      CGAL::determinant(points[t[0]] - points[0], points[t[1]] - points[0], points[t[2]] - points[0]) / 6.;
   }
   return volumes;
 }

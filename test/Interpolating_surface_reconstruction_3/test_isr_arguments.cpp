@@ -53,8 +53,8 @@ void test_neighbor_radius(const Points& points)
   check_throws("neighbor_radius", points, params::neighbor_radius(-1.));
   check_throws("neighbor_radius", points, params::neighbor_radius(-std::numeric_limits<double>::infinity()));
   check_throws("neighbor_radius", points, params::neighbor_radius(std::numeric_limits<double>::quiet_NaN()));
-  check_throws("neighbor_radius", points, params::combine(params::keep_boundaries(true),
-                                                          params::neighbor_radius(-1e-300)));
+  check_throws("neighbor_radius", points,
+               params::combine(params::keep_boundaries(true), params::neighbor_radius(-1e-300)));
 }
 
 void test_maximum_hole_size(const Points& points)

@@ -12,10 +12,10 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr std::size_t ALL = 1000000;
 
 // Neighborhoods of all points, after the checks that every neighborhood has to pass.
-std::vector<std::vector<Point_index>> neighborhoods(const Indexed_points& indexed,
-                                                    double maximum_radius, std::size_t maximum_size)
+std::vector<std::vector<Point_index> > neighborhoods(const Indexed_points& indexed, double maximum_radius,
+                                                     std::size_t maximum_size)
 {
-  std::vector<std::vector<Point_index>> result(indexed.points.size());
+  std::vector<std::vector<Point_index> > result(indexed.points.size());
   std::vector<int> visits(indexed.points.size(), 0);
   Box_neighborhoods boxes(indexed.points, indexed.octree, maximum_radius);
   for (std::uint32_t leaf : indexed.octree.leaves())
@@ -32,8 +32,7 @@ std::vector<std::vector<Point_index>> neighborhoods(const Indexed_points& indexe
                            assert(n.squared_radius() == 0.);
                            result[p] = boxes.indices();
                            std::sort(result[p].begin(), result[p].end());
-                           assert(std::adjacent_find(result[p].begin(), result[p].end()) ==
-                                  result[p].end());
+                           assert(std::adjacent_find(result[p].begin(), result[p].end()) == result[p].end());
                            return false; // asking for more is of no use
                          });
   for (int v : visits)
@@ -76,7 +75,7 @@ void test_nearest_points_on_sphere()
   const auto all = neighborhoods(indexed, INFINITE, ALL);
   std::size_t found = 0, total = 0;
   for (Point_index p = 0; p != all.size(); ++p) {
-    std::vector<std::pair<double, Point_index>> nearest;
+    std::vector<std::pair<double, Point_index> > nearest;
     for (Point_index q = 0; q != all.size(); ++q)
       if (q != p)
         nearest.emplace_back(CGAL::squared_distance(indexed.points[p], indexed.points[q]), q);
@@ -136,8 +135,7 @@ void test_limits()
     for (Point_index q : few[p])
       farthest = (std::max)(farthest, CGAL::squared_distance(indexed.points[p], indexed.points[q]));
     for (Point_index q : all[p])
-      assert(contains(few[p], q) ||
-             CGAL::squared_distance(indexed.points[p], indexed.points[q]) >= farthest);
+      assert(contains(few[p], q) || CGAL::squared_distance(indexed.points[p], indexed.points[q]) >= farthest);
   }
 }
 
@@ -152,8 +150,8 @@ void test_coincident_points()
   for (const std::vector<Point_index>& n : neighborhoods(indexed, INFINITE, ALL))
     total += n.size();
   assert(total <= indexed.points.size() * 27 * OCTREE_LEAF_SIZE);
-  for (const std::vector<Point_index>& n : neighborhoods(
-           Indexed_points(std::vector<Local_point>(100, Local_point(1, 1, 1))), INFINITE, ALL))
+  for (const std::vector<Point_index>& n :
+       neighborhoods(Indexed_points(std::vector<Local_point>(100, Local_point(1, 1, 1))), INFINITE, ALL))
     assert(n.size() <= OCTREE_LEAF_SIZE);
 }
 
@@ -161,8 +159,7 @@ void test_tiny_clouds()
 {
   assert(neighborhoods(Indexed_points({}), INFINITE, ALL).empty());
   assert(neighborhoods(Indexed_points({ Local_point(1, 2, 3) }), INFINITE, ALL)[0].empty());
-  const auto two =
-      neighborhoods(Indexed_points({ Local_point(1, 2, 3), Local_point(0, 0, 0) }), INFINITE, ALL);
+  const auto two = neighborhoods(Indexed_points({ Local_point(1, 2, 3), Local_point(0, 0, 0) }), INFINITE, ALL);
   assert(two[0].size() == 1 && two[1].size() == 1);
 }
 

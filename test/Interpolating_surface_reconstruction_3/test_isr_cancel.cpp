@@ -98,7 +98,7 @@ void test_callback(std::size_t number_of_calls)
 
 void test_stages()
 {
-  const isr::Stage stages[] = { isr::Stage::INDEXING, isr::Stage::STARS, isr::Stage::COMPATIBILITY,
+  const isr::Stage stages[] = { isr::Stage::INDEXING,   isr::Stage::STARS, isr::Stage::COMPATIBILITY,
                                 isr::Stage::COMPLETION, isr::Stage::HOLES, isr::Stage::ORIENTATION };
   std::size_t begun = 0;
   for (const isr::Stage stage : stages) {
@@ -107,7 +107,7 @@ void test_stages()
     Stage_stopping_visitor visitor;
     visitor.last = stage;
     const Triples triples = ctc(sphere(), params::visitor(std::ref(visitor)));
-    ISR_CHECK(visitor.is_stopped); // every stage is announced
+    ISR_CHECK(visitor.is_stopped);                // every stage is announced
     ISR_CHECK_EQUAL(visitor.stages_begun, begun); // and none follows
     ISR_CHECK_EQUAL(visitor.stages_ended, visitor.stages_begun);
     ISR_CHECK(triples.empty());
@@ -153,7 +153,10 @@ void test_few_points()
 {
   begin_case("progress without a surface");
   double last = -1.;
-  const std::function<bool(double)> callback = [&](double value) { last = value; return true; };
+  const std::function<bool(double)> callback = [&](double value) {
+    last = value;
+    return true;
+  };
   ISR_CHECK(ctc(Points{ Point(0, 0, 0) }, params::callback(callback)).empty());
   ISR_CHECK_EQUAL(last, 1.);
 }

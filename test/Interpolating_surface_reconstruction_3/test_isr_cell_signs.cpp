@@ -65,10 +65,7 @@ struct Cells
     return result;
   }
 
-  std::vector<float> signs() const
-  {
-    return in::Cell_signs(cells, positions, normals).compute<CGAL::Sequential_tag>();
-  }
+  std::vector<float> signs() const { return in::Cell_signs(cells, positions, normals).compute<CGAL::Sequential_tag>(); }
 };
 
 Oriented_points sphere(std::size_t n)
@@ -111,10 +108,12 @@ double energy(const Cells& s, const std::vector<float>& values, const in::Orient
       const auto f = in::Cell_complex::facet(s.cells[c], i);
       if (in::Cell_complex::is_infinite(f))
         continue;
-      in::Local_vector n = CGAL::cross_product(s.positions[f[1]] - s.positions[f[0]], s.positions[f[2]] - s.positions[f[0]]) / 2;
+      in::Local_vector n =
+        CGAL::cross_product(s.positions[f[1]] - s.positions[f[0]], s.positions[f[2]] - s.positions[f[0]]) / 2;
       const double size = std::sqrt(n.squared_length());
       area += size;
-      if (!in::Cell_complex::is_infinite(s.cells[c]) && n * (s.positions[s.cells[c].vertices[i]] - s.positions[f[0]]) > 0.)
+      if (!in::Cell_complex::is_infinite(s.cells[c]) &&
+          n * (s.positions[s.cells[c].vertices[i]] - s.positions[f[0]]) > 0.)
         n = -n;
       if (labelling.label(c) && labelling.is_surface(c, i))
         result += size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
@@ -155,7 +154,8 @@ void test_gain()
     ISR_CHECK(labelling.gain(c) <= labelling.smallest_gain(c));
 
   begin_case("repair makes any labelling a manifold");
-  in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  in::Labelling_repair<in::Oriented_labelling> repair(
+    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
   repair();
   repair.enforce(in::No_cancellation());
   Triples triples;
@@ -181,7 +181,8 @@ void test_minimum_cut()
   const Cells s(samples);
   in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
   in::relax_labels(s.cells, labelling, in::No_cancellation());
-  in::Labelling_repair<in::Oriented_labelling> repair(s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  in::Labelling_repair<in::Oriented_labelling> repair(
+    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
   repair();
   const auto labelled_inside_gap = [&] {
     std::size_t result = 0;

@@ -80,7 +80,8 @@ void test_cells()
       continue;
     const auto& v = cells[c].vertices;
     for (const Point& p : points)
-      if (CGAL::side_of_oriented_sphere(points[v[0]], points[v[1]], points[v[2]], points[v[3]], p) == CGAL::ON_POSITIVE_SIDE) {
+      if (CGAL::side_of_oriented_sphere(points[v[0]], points[v[1]], points[v[2]], points[v[3]], p) ==
+          CGAL::ON_POSITIVE_SIDE) {
         ISR_CHECK(!"empty sphere");
         break;
       }
@@ -160,7 +161,8 @@ std::vector<bool> labels_of_ball(const Cell_complex& cells, const Points& points
 }
 
 // Whether the labels are those expected, or all of them the others.
-bool are_same_up_to_complement(const Cell_complex& cells, const Cell_labelling& labelling, const std::vector<bool>& expected)
+bool are_same_up_to_complement(const Cell_complex& cells, const Cell_labelling& labelling,
+                               const std::vector<bool>& expected)
 {
   std::size_t equal = 0;
   for (Cell_index c = 0; c != cells.size(); ++c)
@@ -175,7 +177,9 @@ void test_labelling()
   const Cell_complex cells(positions, all_of(points));
   const std::vector<bool> expected = labels_of_ball(cells, points, .7);
   ISR_CHECK(std::count(expected.begin(), expected.end(), true) > 100);
-  const auto is_separating = [&](Cell_index c, std::size_t i) { return expected[c] != expected[cells[c].neighbors[i]]; };
+  const auto is_separating = [&](Cell_index c, std::size_t i) {
+    return expected[c] != expected[cells[c].neighbors[i]];
+  };
 
   begin_case("weights of equal size");
   std::size_t calls = 0;
@@ -275,10 +279,11 @@ bool is_manifold_at(Point_index p, const Cell_complex& cells, const Cell_labelli
   return roots[0].size() == 1 && roots[1].size() == 1;
 }
 
-std::size_t number_of_defects(const std::vector<Point_index>& scope, const Cell_complex& cells, const Cell_labelling& labelling)
+std::size_t number_of_defects(const std::vector<Point_index>& scope, const Cell_complex& cells,
+                              const Cell_labelling& labelling)
 {
-  return static_cast<std::size_t>(std::count_if(scope.begin(), scope.end(),
-                                                [&](Point_index p) { return !is_manifold_at(p, cells, labelling); }));
+  return static_cast<std::size_t>(
+    std::count_if(scope.begin(), scope.end(), [&](Point_index p) { return !is_manifold_at(p, cells, labelling); }));
 }
 
 void test_repair_of_random_labels()
@@ -299,7 +304,8 @@ void test_repair_of_random_labels()
         scope.push_back(p);
     const std::size_t before = number_of_defects(scope, cells, labelling);
     ISR_CHECK(before > scope.size() / 2);
-    Labelling_repair repair(cells, labelling, [&](Point_index p) { return seed % 2 == 0 || p % 3 != 0; }, 1e9);
+    Labelling_repair repair(
+      cells, labelling, [&](Point_index p) { return seed % 2 == 0 || p % 3 != 0; }, 1e9);
     const std::size_t after = repair();
     ISR_CHECK_EQUAL(after, number_of_defects(scope, cells, labelling));
     ISR_CHECK(after < before / 2);
@@ -315,14 +321,16 @@ void test_repair_of_sphere()
     const std::vector<Local_point> positions = positions_of(points);
     const Cell_complex cells(positions, all_of(points));
     const auto is_finite = [&](Cell_index c) { return !Cell_complex::is_infinite(cells[c]); };
-    Cell_labelling labelling(cells, [&](Cell_index c, std::size_t i) { return is_finite(c) != is_finite(cells[c].neighbors[i]) ? 1. : -1.; });
+    Cell_labelling labelling(
+      cells, [&](Cell_index c, std::size_t i) { return is_finite(c) != is_finite(cells[c].neighbors[i]) ? 1. : -1.; });
     const std::vector<Point_index> scope = all_of(points);
     ISR_CHECK_EQUAL(number_of_defects(scope, cells, labelling), 0u);
     Random random(seed);
     for (std::size_t i = 0; i != 12; ++i)
       labelling.flip(static_cast<Cell_index>(random.below(cells.size())));
     ISR_CHECK(number_of_defects(scope, cells, labelling) > 0);
-    const std::size_t after = Labelling_repair(cells, labelling, [](Point_index) { return true; }, 10.)();
+    const std::size_t after = Labelling_repair(
+      cells, labelling, [](Point_index) { return true; }, 10.)();
     ISR_CHECK_EQUAL(after, number_of_defects(scope, cells, labelling));
     ISR_CHECK_EQUAL(after, 0u);
   }
@@ -336,11 +344,15 @@ void test_repair_that_may_not_lose()
   const Cell_complex cells(positions, all_of(points));
   // all cells on one side, for good
   Cell_labelling labelling(cells, [](Cell_index, std::size_t) { return -1.; });
-  ISR_CHECK_EQUAL(Labelling_repair(cells, labelling, [](Point_index) { return true; }, .5)(), 60u);
+  ISR_CHECK_EQUAL(Labelling_repair(
+                    cells, labelling, [](Point_index) { return true; }, .5)(),
+                  60u);
   for (Cell_index c = 0; c != cells.size(); ++c)
     ISR_CHECK(labelling.label(c) == labelling.label(0));
   // nothing in the scope
-  ISR_CHECK_EQUAL(Labelling_repair(cells, labelling, [](Point_index) { return false; }, 1e9)(), 0u);
+  ISR_CHECK_EQUAL(Labelling_repair(
+                    cells, labelling, [](Point_index) { return false; }, 1e9)(),
+                  0u);
 }
 
 // ---- Conflict_completion -------------------------------------------------------------------------
@@ -356,7 +368,8 @@ Links stars_of(const Points& points)
   isr_internal::Progress<decltype(visitor)> progress(std::function<bool(double)>(), visitor);
   progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::STARS, 1.);
   const Star_table stars = isr_internal::construct_stars<CGAL::Sequential_tag>(
-    cloud.positions(), octree, CGAL::Interpolating_surface_reconstruction_3::Restricted_voronoi_star_3(), INFINITE, progress);
+    cloud.positions(), octree, CGAL::Interpolating_surface_reconstruction_3::Restricted_voronoi_star_3(), INFINITE,
+    progress);
   Links links(points.size());
   for (Point_index p = 0; p != stars.size(); ++p)
     for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
@@ -374,7 +387,8 @@ std::size_t complete(Hand_surface& s)
   progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::COMPLETION, 1.);
   std::size_t added = 0;
   Conflict_completion<Builder>(s.cloud.positions(), octree, INFINITE, s.builder)(
-    progress, [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; });
+    progress,
+    [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; });
   return added;
 }
 

@@ -36,10 +36,10 @@ void test_with_boundaries(const Sample& s)
 
 void test_closed_surfaces()
 {
-  const Sample samples[] = {
-    sphere_fibonacci(2000), sphere_random(1500, 1), sphere_uv(40, 20), torus(60, 24, 0., 1),
-    torus(60, 24, .2, 2), knot(200, 12), double_torus(.05, 1), box(12, 12, 12), box(12, 7, 3),
-    box_jittered(12, .3, 1), two_boxes(8, 4.), cone(20, 2.) };
+  const Sample samples[] = { sphere_fibonacci(2000),  sphere_random(1500, 1), sphere_uv(40, 20),
+                             torus(60, 24, 0., 1),    torus(60, 24, .2, 2),   knot(200, 12),
+                             double_torus(.05, 1),    box(12, 12, 12),        box(12, 7, 3),
+                             box_jittered(12, .3, 1), two_boxes(8, 4.),       cone(20, 2.) };
   for (const Sample& s : samples)
     test_closed(s);
 }
@@ -47,8 +47,8 @@ void test_closed_surfaces()
 // A closed surface has no boundary to keep.
 void test_surfaces_with_boundaries()
 {
-  const Sample samples[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40), sphere_fibonacci(2000),
-                             torus(60, 24, 0., 1), box(12, 12, 12) };
+  const Sample samples[] = { plane_grid(20),         two_plates(12, 5.),   cylinder_open(20, 40),
+                             sphere_fibonacci(2000), torus(60, 24, 0., 1), box(12, 12, 12) };
   for (const Sample& s : samples)
     test_with_boundaries(s);
   Sample s = plane_grid(20);
@@ -101,7 +101,7 @@ void test_orientation_follows_normals()
       oriented.emplace_back(p, length * (p - CGAL::ORIGIN));
     const Triples triples =
       ctc(oriented, params::point_map(CGAL::First_of_pair_property_map<std::pair<Point, Vector> >())
-                            .normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Vector> >()));
+                      .normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Vector> >()));
     ISR_CHECK(validation::is_oriented_manifold(s.points, triples, Kernel()));
     ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
     ISR_CHECK((length > 0.) == (volumes_of_components(s.points, triples).front() > 0.));

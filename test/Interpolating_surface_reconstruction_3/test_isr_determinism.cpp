@@ -44,9 +44,6 @@ int main()
 
 #else
 
-int main()
-{
-  std::cout << "skipped: built without TBB" << std::endl;
-}
+int main() { std::cout << "skipped: built without TBB" << std::endl; }
 
 #endif

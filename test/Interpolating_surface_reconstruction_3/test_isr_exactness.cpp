@@ -112,8 +112,9 @@ int in_sphere_in_double(const Point& a, const Point& b, const Point& c, const Po
     const Vector v = *points[i] - e;
     rows[i] = { { v.x(), v.y(), v.z(), v.squared_length() } };
   }
-  const double value = CGAL::determinant(rows[0][0], rows[0][1], rows[0][2], rows[0][3], rows[1][0], rows[1][1], rows[1][2], rows[1][3],
-                                         rows[2][0], rows[2][1], rows[2][2], rows[2][3], rows[3][0], rows[3][1], rows[3][2], rows[3][3]);
+  const double value =
+    CGAL::determinant(rows[0][0], rows[0][1], rows[0][2], rows[0][3], rows[1][0], rows[1][1], rows[1][2], rows[1][3],
+                      rows[2][0], rows[2][1], rows[2][2], rows[2][3], rows[3][0], rows[3][1], rows[3][2], rows[3][3]);
   return value < 0. ? -1 : value > 0. ? 1 : 0;
 }
 
@@ -153,8 +154,9 @@ void test_equal()
   begin_case("points that differ in the last bit");
   const double next = std::nextafter(1., 2.);
   Counting_visitor visitor;
-  checked_ctc({ Point(1, 1, 1), Point(1, 1, next), Point(1, next, 1), Point(-0., 0, 0), Point(0., -0., 0), Point(1, 1, 1) },
-              visitor, params::keep_boundaries(false));
+  checked_ctc(
+    { Point(1, 1, 1), Point(1, 1, next), Point(1, next, 1), Point(-0., 0, 0), Point(0., -0., 0), Point(1, 1, 1) },
+    visitor, params::keep_boundaries(false));
   ISR_CHECK_EQUAL(visitor.duplicates, 2u);
 }
 

@@ -31,7 +31,8 @@ void* allocate(std::size_t size, std::size_t alignment)
 {
   if (number_of_allocations++ >= last_allocation)
     return nullptr;
-  void* const block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment + (size == 0 ? alignment : 0));
+  void* const block =
+    std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment + (size == 0 ? alignment : 0));
   if (block != nullptr)
     ++number_of_live_blocks;
   return block;
@@ -59,8 +60,14 @@ void* operator new(std::size_t size) { return allocate_or_throw(size); }
 void* operator new[](std::size_t size) { return allocate_or_throw(size); }
 void* operator new(std::size_t size, std::align_val_t a) { return allocate_or_throw(size, std::size_t(a)); }
 void* operator new[](std::size_t size, std::align_val_t a) { return allocate_or_throw(size, std::size_t(a)); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, alignof(std::max_align_t)); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return allocate(size, alignof(std::max_align_t));
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+  return allocate(size, alignof(std::max_align_t));
+}
 void operator delete(void* p) noexcept { release(p); }
 void operator delete[](void* p) noexcept { release(p); }
 void operator delete(void* p, std::size_t) noexcept { release(p); }
@@ -117,7 +124,7 @@ private:
 template <typename Run, typename Check>
 std::size_t run_out_of_memory(std::size_t step, const Run& run, const Check& check)
 {
-  for (std::size_t failures = 0; ; ++failures) {
+  for (std::size_t failures = 0;; ++failures) {
     bool is_thrown = false;
     number_of_allocations = 0;
     last_allocation = failures * step;
@@ -161,10 +168,12 @@ void test_memory(Algorithm algorithm)
   begin_case(algorithm.name() + ": no memory, mesh");
   Mesh mesh;
   Leak_check check_mesh_leaks;
-  failures = run_out_of_memory(1, [&] { Algorithm::reconstruct(points, mesh, params::neighbor_radius(0.)); }, [&] {
-    ISR_CHECK(is_untouched(mesh));
-    check_mesh_leaks();
-  });
+  failures = run_out_of_memory(
+    1, [&] { Algorithm::reconstruct(points, mesh, params::neighbor_radius(0.)); },
+    [&] {
+      ISR_CHECK(is_untouched(mesh));
+      check_mesh_leaks();
+    });
   check_mesh_leaks.check_total(failures);
   ISR_CHECK(failures > 100);
   ISR_CHECK_EQUAL(mesh.number_of_faces(), expected.size());
@@ -178,9 +187,9 @@ void test_memory_in_parallel(Algorithm algorithm)
   begin_case(algorithm.name() + ": no memory, parallel");
   const Points points = sphere_fibonacci(3000).points;
   Mesh mesh;
-  const std::size_t failures = run_out_of_memory(97, [&] {
-    Algorithm::template reconstruct<CGAL::Parallel_tag>(points, mesh, params::neighbor_radius(0.));
-  }, [&] { ISR_CHECK(is_untouched(mesh)); });
+  const std::size_t failures = run_out_of_memory(
+    97, [&] { Algorithm::template reconstruct<CGAL::Parallel_tag>(points, mesh, params::neighbor_radius(0.)); },
+    [&] { ISR_CHECK(is_untouched(mesh)); });
   ISR_CHECK(failures > 3);
   ISR_CHECK(!mesh.is_empty());
 }
@@ -215,7 +224,7 @@ void test_throwing(const std::string& what, const Run& run, const Check& check)
   }
   const long live = number_of_live_blocks;
   std::size_t failures = 0;
-  for (std::size_t n = 0; ; n += 1 + n / 8, ++failures) {
+  for (std::size_t n = 0;; n += 1 + n / 8, ++failures) {
     Countdown countdown(n);
     bool is_thrown = false;
     try {
@@ -269,7 +278,11 @@ struct Throwing_visitor
   void on_reconstruction_begin(std::size_t) { (*countdown)(); }
   void on_points_set_aside(std::size_t, std::size_t) { (*countdown)(); }
   void on_stage_begin(isr::Stage) { (*countdown)(); }
-  bool go_further() { (*countdown)(); return true; }
+  bool go_further()
+  {
+    (*countdown)();
+    return true;
+  }
   void on_triangle(const Triple&, isr::Triangle_verdict) { (*countdown)(); }
   void on_stage_end(isr::Stage, std::size_t) { (*countdown)(); }
   void on_points_unused(std::size_t) { (*countdown)(); }
@@ -287,20 +300,32 @@ void test_user_objects(Algorithm algorithm)
     Algorithm::reconstruct(points, mesh, np);
     mesh = Mesh();
   };
-  test_throwing(algorithm.name() + ": the output iterator throws", [&](Countdown& countdown) {
-    Algorithm::reconstruct(points, Throwing_iterator{ &countdown }, params::neighbor_radius(0.));
-  }, [] { });
-  test_throwing(algorithm.name() + ": the callback throws", [&](Countdown& countdown) {
-    const std::function<bool(double)> callback = [&](double) { countdown(); return true; };
-    into_mesh(params::callback(callback));
-  }, is_mesh_untouched);
-  test_throwing(algorithm.name() + ": the visitor throws", [&](Countdown& countdown) {
-    Throwing_visitor visitor{ &countdown };
-    into_mesh(params::visitor(std::ref(visitor)));
-  }, is_mesh_untouched);
-  test_throwing(algorithm.name() + ": the point map throws", [&](Countdown& countdown) {
-    into_mesh(params::point_map(Throwing_map{ &countdown }));
-  }, is_mesh_untouched);
+  test_throwing(
+    algorithm.name() + ": the output iterator throws",
+    [&](Countdown& countdown) {
+      Algorithm::reconstruct(points, Throwing_iterator{ &countdown }, params::neighbor_radius(0.));
+    },
+    [] {});
+  test_throwing(
+    algorithm.name() + ": the callback throws",
+    [&](Countdown& countdown) {
+      const std::function<bool(double)> callback = [&](double) {
+        countdown();
+        return true;
+      };
+      into_mesh(params::callback(callback));
+    },
+    is_mesh_untouched);
+  test_throwing(
+    algorithm.name() + ": the visitor throws",
+    [&](Countdown& countdown) {
+      Throwing_visitor visitor{ &countdown };
+      into_mesh(params::visitor(std::ref(visitor)));
+    },
+    is_mesh_untouched);
+  test_throwing(
+    algorithm.name() + ": the point map throws",
+    [&](Countdown& countdown) { into_mesh(params::point_map(Throwing_map{ &countdown })); }, is_mesh_untouched);
 }
 
 int main(int argc, char** argv)

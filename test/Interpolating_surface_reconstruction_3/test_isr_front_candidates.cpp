@@ -94,7 +94,8 @@ void test_agreed()
     });
     const Front_candidate candidate = hand.candidate(p, q);
     ISR_CHECK(candidate.is_agreed);
-    ISR_CHECK(std::any_of(other->begin(), other->end(), [&](std::size_t v) { return v != p && v != q && hand.index(v) == candidate.apex; }));
+    ISR_CHECK(std::any_of(other->begin(), other->end(),
+                          [&](std::size_t v) { return v != p && v != q && hand.index(v) == candidate.apex; }));
     ISR_CHECK(candidate.coplanarity > .5 && candidate.coplanarity < 1.);
   }
 }
@@ -124,7 +125,8 @@ void test_choice()
   // The star of A has P, that of B has Q, and both are supported by the star of the third vertex.
   const auto hand = [](const Point& p, const Point& q) {
     return std::make_unique<Hand_front>(
-      with({ p, q }), Links{ link({ C, B, P }), link({ Q, A, C }), {}, link({ A, B }), link({ A, B }) }, Triples{ { A, B, C } });
+      with({ p, q }), Links{ link({ C, B, P }), link({ Q, A, C }), {}, link({ A, B }), link({ A, B }) },
+      Triples{ { A, B, C } });
   };
   begin_case("one point projects into the triangle of the other");
   hand(Point(.5, .5, .1), Point(.5, 2, 0))->check_apex(A, B, P);

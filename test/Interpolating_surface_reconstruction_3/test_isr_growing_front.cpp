@@ -30,10 +30,7 @@ using Gaps = std::vector<Gap>;
 using Event_name = int;
 
 // Where a surface is that simple, there is no choice.
-Gap first_gap(Point_index, Point_index, Point_index, const Gaps& gaps)
-{
-  return gaps.front();
-}
+Gap first_gap(Point_index, Point_index, Point_index, const Gaps& gaps) { return gaps.front(); }
 
 Front_event begin(Growing_front& front, Point_index p, Point_index q, Point_index r)
 {
@@ -157,7 +154,9 @@ void test_split()
   ISR_CHECK_EQUAL(front.number_of_rings(), 2u);
   ISR_CHECK_EQUAL(ring_size_at(front, 0, 2), 4u);
   ISR_CHECK_EQUAL(ring_size_at(front, 1, 3), 4u);
-  check_front(front, { { { 0, 2 } }, { { 2, 4 } }, { { 4, 6 } }, { { 0, 6 } }, { { 1, 3 } }, { { 3, 5 } }, { { 5, 7 } }, { { 1, 7 } } });
+  check_front(
+    front,
+    { { { 0, 2 } }, { { 2, 4 } }, { { 4, 6 } }, { { 0, 6 } }, { { 1, 3 } }, { { 3, 5 } }, { { 5, 7 } }, { { 1, 7 } } });
 }
 
 void test_merge()
@@ -170,7 +169,8 @@ void test_merge()
   check_event(attach(front, 1, 2, 3), Front_event::MERGE);
   ISR_CHECK_EQUAL(front.number_of_rings(), 1u);
   ISR_CHECK_EQUAL(ring_size_at(front, 4, 5), 7u);
-  check_front(front, { { { 0, 1 } }, { { 0, 2 } }, { { 1, 3 } }, { { 2, 3 } }, { { 3, 4 } }, { { 3, 5 } }, { { 4, 5 } } });
+  check_front(front,
+              { { { 0, 1 } }, { { 0, 2 } }, { { 1, 3 } }, { { 2, 3 } }, { { 3, 4 } }, { { 3, 5 } }, { { 4, 5 } } });
 
   begin_case("the two rings of a surface are merged by a handle");
   Growing_front tube = strip(8);
@@ -258,7 +258,8 @@ void test_random_order(const std::string& name, const Mesh& mesh, std::uint64_t 
     if (on_front == 3)
       front.begin(triangle, choose_gap);
     else
-      front.attach(front.find(triangle[on_front], triangle[(on_front + 1) % 3]), triangle[(on_front + 2) % 3], choose_gap);
+      front.attach(front.find(triangle[on_front], triangle[(on_front + 1) % 3]), triangle[(on_front + 2) % 3],
+                   choose_gap);
     if (++step % 16 == 0)
       check_front(front, expected);
   }
@@ -279,7 +280,8 @@ int main()
   for (std::uint64_t seed = 1; seed != 6; ++seed) {
     test_random_order("globe", globe(9, 16), seed);
     test_random_order("wall", wall(30, 1.), seed);
-    test_random_order("sheet with a hole", sheet(12, [](std::size_t i, std::size_t j) { return i / 3 == 1 && j / 3 == 2; }), seed);
+    test_random_order("sheet with a hole",
+                      sheet(12, [](std::size_t i, std::size_t j) { return i / 3 == 1 && j / 3 == 2; }), seed);
   }
   return result();
 }

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t UNLIMITED = (std::numeric_limits<std::size_t>::max)();
 
-const auto ignore_verdict = [](const Builder::Triangle&, Triangle_verdict) { };
+const auto ignore_verdict = [](const Builder::Triangle&, Triangle_verdict) {};
 const auto no_boundary = [](const Boundary_loop&) { return false; };
 
 bool fill(Hand_surface& s, const std::vector<std::size_t>& loop)
@@ -93,13 +93,13 @@ void test_flat_hole(const char* name, std::size_t size, const IsHole& is_hole)
 void test_flat_holes()
 {
   test_flat_hole("square", 4, [](std::size_t i, std::size_t j) { return i == 4 && j == 4; });
-  test_flat_hole("L", 8, [](std::size_t i, std::size_t j) { return (i == 4 && j == 4) || (i == 5 && j == 4) || (i == 4 && j == 5); });
-  test_flat_hole("U", 12, [](std::size_t i, std::size_t j) {
-    return i >= 3 && i <= 5 && (j == 3 || (j == 4 && i != 4));
+  test_flat_hole("L", 8, [](std::size_t i, std::size_t j) {
+    return (i == 4 && j == 4) || (i == 5 && j == 4) || (i == 4 && j == 5);
   });
-  test_flat_hole("T", 14, [](std::size_t i, std::size_t j) {
-    return (j == 4 && i >= 2 && i <= 6) || (i == 4 && j == 3);
-  });
+  test_flat_hole("U", 12,
+                 [](std::size_t i, std::size_t j) { return i >= 3 && i <= 5 && (j == 3 || (j == 4 && i != 4)); });
+  test_flat_hole("T", 14,
+                 [](std::size_t i, std::size_t j) { return (j == 4 && i >= 2 && i <= 6) || (i == 4 && j == 3); });
   test_flat_hole("bar", 16, [](std::size_t i, std::size_t j) { return j == 4 && i >= 1 && i <= 7; });
 }
 
@@ -211,7 +211,8 @@ void test_maximum_size()
   const Mesh mesh = globe(6, 7);
   Triples triples(mesh.triples.begin() + 7, mesh.triples.end());
   triples.erase(triples.begin() + 28, triples.begin() + 30);
-  for (const std::size_t size : { std::size_t(0), std::size_t(3), std::size_t(4), std::size_t(6), std::size_t(7), UNLIMITED }) {
+  for (const std::size_t size :
+       { std::size_t(0), std::size_t(3), std::size_t(4), std::size_t(6), std::size_t(7), UNLIMITED }) {
     Hand_surface s(mesh.points);
     ISR_CHECK(s.add(triples));
     ISR_CHECK_EQUAL(loops_of(s).size(), 2u);
@@ -286,7 +287,8 @@ void test_many_holes()
 std::size_t insert_points(Hand_surface& s)
 {
   const Point_octree_3 octree(s.cloud.positions());
-  return Point_insertion<Builder>(s.cloud.positions(), octree, std::numeric_limits<double>::infinity(), s.builder)(no_progress);
+  return Point_insertion<Builder>(s.cloud.positions(), octree, std::numeric_limits<double>::infinity(),
+                                  s.builder)(no_progress);
 }
 
 // `more` triangles are expected; the link of the new point is returned.

@@ -32,7 +32,7 @@ void test_few_points(Algorithm algorithm)
   Random random(1);
   for (std::size_t i = 0; i != 300; ++i) {
     Points points;
-    for (std::size_t j = random.below(8); j-- != 0; ) {
+    for (std::size_t j = random.below(8); j-- != 0;) {
       // coordinates from few values, so that many are equal, collinear or coplanar
       const double x = double(random.below(3)), y = double(random.below(3)), z = double(random.below(2)) * 1e-17;
       points.emplace_back(x, y, z);
@@ -46,7 +46,8 @@ void test_corpus(Algorithm algorithm, std::size_t n, std::uint64_t seeds)
 {
   for (const Hostile_generator& generator : hostile_corpus())
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      begin_case(algorithm.name() + ": " + generator.name + ", n = " + std::to_string(n) + ", seed " + std::to_string(seed));
+      begin_case(algorithm.name() + ": " + generator.name + ", n = " + std::to_string(n) + ", seed " +
+                 std::to_string(seed));
       checked_triangles(algorithm, generator.generate(n, seed));
     }
 }
@@ -78,11 +79,9 @@ void test_few_dimensions(Algorithm algorithm)
 int main(int argc, char** argv)
 {
   // strtoul() makes 0 of the name of an algorithm
-  const std::size_t n = argc > 1 && std::strtoul(argv[1], nullptr, 10) != 0
-                            ? std::strtoul(argv[1], nullptr, 10)
-                            : 500;
+  const std::size_t n = argc > 1 && std::strtoul(argv[1], nullptr, 10) != 0 ? std::strtoul(argv[1], nullptr, 10) : 500;
   const std::uint64_t seeds =
-      argc > 2 && std::strtoul(argv[2], nullptr, 10) != 0 ? std::strtoull(argv[2], nullptr, 10) : 2;
+    argc > 2 && std::strtoul(argv[2], nullptr, 10) != 0 ? std::strtoull(argv[2], nullptr, 10) : 2;
   const auto test = [&](auto algorithm) {
     test_few_points(algorithm);
     test_few_dimensions(algorithm);

@@ -80,11 +80,13 @@ int main()
   const Sample conflicting = { "random cube", random_cube(500, 1), 0, 0, 0 };
   test_permutation(conflicting);
   test_scale(conflicting);
-  test_permutation(Sample{ "solid lattice", [] {
-    Points points;
-    for (int i = 0; i != 343; ++i)
-      points.emplace_back(i % 7, i / 7 % 7, i / 49);
-    return points;
-  }(), 0, 0, 0 });
+  test_permutation(Sample{ "solid lattice",
+                           [] {
+                             Points points;
+                             for (int i = 0; i != 343; ++i)
+                               points.emplace_back(i % 7, i / 7 % 7, i / 49);
+                             return points;
+                           }(),
+                           0, 0, 0 });
   return result();
 }

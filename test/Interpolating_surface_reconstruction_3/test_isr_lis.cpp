@@ -206,8 +206,8 @@ void test_bad_samples()
 // Areas that are rounded add up to flows that are not those of a cut.
 void test_rounded_areas()
 {
-  for (const Points& points : {hostile::boxes_rotated(300, 1), hostile::boxes_rotated(300, 2),
-                               hostile::wedge_thin(300, 1)}) {
+  for (const Points& points :
+       { hostile::boxes_rotated(300, 1), hostile::boxes_rotated(300, 2), hostile::wedge_thin(300, 1) }) {
     begin_case("a cut through " + std::to_string(points.size()) + " points with rounded areas");
     Counting_visitor visitor;
     const Soup soup = lis(points, params::visitor(std::ref(visitor)));
@@ -236,7 +236,8 @@ void test_few_or_flat_points()
   ISR_CHECK_EQUAL(plane.triangles.size(), 72u);
   ISR_CHECK(validation::is_oriented_manifold(plane.points, plane.triangles, Kernel()));
   ISR_CHECK(CGAL::normal(plane.points[plane.triangles[0][0]], plane.points[plane.triangles[0][1]],
-                         plane.points[plane.triangles[0][2]]).z() > 0.);
+                         plane.points[plane.triangles[0][2]])
+              .z() > 0.);
   begin_case("one tetrahedron");
   const Points four = { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) };
   const Soup tetrahedron = checked_lis(with_normals(four, [](const Point& p) { return p - Point(.2, .2, .2); }));
@@ -267,7 +268,8 @@ void test_determinism()
   begin_case("far from the origin, in small units");
   Oriented_points moved = samples;
   for (Oriented_point& s : moved)
-    s.first = Point(std::ldexp(s.first.x(), -10) + 4096., std::ldexp(s.first.y(), -10) - 8192., std::ldexp(s.first.z(), -10));
+    s.first =
+      Point(std::ldexp(s.first.x(), -10) + 4096., std::ldexp(s.first.y(), -10) - 8192., std::ldexp(s.first.z(), -10));
   Counting_visitor visitor;
   const Soup soup = checked_lis(moved, visitor);
   ISR_CHECK_EQUAL(visitor.unused, 0u);
@@ -331,7 +333,8 @@ void test_refinement()
   ISR_CHECK_EQUAL(from_input, samples.size());
 
   begin_case("bad grid spacing");
-  for (double spacing : { -1., 1e-12, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  for (double spacing :
+       { -1., 1e-12, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
     try {
       lis(samples, np.grid_spacing(spacing));
       ISR_CHECK(!"exception");
@@ -357,7 +360,8 @@ void test_boundaries()
   begin_case("a closed surface stays closed");
   for (const Solid& s : { solid(sphere_random(1500, 5), from_origin), box_solid(box_varying_spacing(20)) })
     ISR_CHECK(validation::boundary_edges(
-                lis(s.points, params::combine(params::keep_boundaries(true), oriented_maps())).triangles).empty());
+                lis(s.points, params::combine(params::keep_boundaries(true), oriented_maps())).triangles)
+                .empty());
 }
 
 void test_cancel()
@@ -367,11 +371,11 @@ void test_cancel()
   std::size_t calls = 0;
   double last = 0.;
   lis(samples, params::combine(oriented_maps(), params::callback(std::function<bool(double)>([&](double x) {
-        ISR_CHECK(x >= last && x <= 1.);
-        last = x;
-        ++calls;
-        return true;
-      }))));
+                                 ISR_CHECK(x >= last && x <= 1.);
+                                 last = x;
+                                 ++calls;
+                                 return true;
+                               }))));
   ISR_CHECK_EQUAL(last, 1.);
   for (std::size_t stop = 0; stop != calls; ++stop) {
     std::size_t count = 0;

@@ -17,10 +17,7 @@ using Builder = Hand_surface::Builder;
 namespace {
 
 // No four of them are coplanar.
-Points points_in_general_position(std::size_t n, std::uint64_t seed)
-{
-  return random_cube(n, seed);
-}
+Points points_in_general_position(std::size_t n, std::uint64_t seed) { return random_cube(n, seed); }
 
 void test_verdicts()
 {
@@ -83,8 +80,9 @@ void test_degenerate()
 {
   begin_case("degenerate triangles");
   const double tiny = std::ldexp(1., -52);
-  const Points points = { Point(0, 0, 0), Point(1, 3, 5), Point(1 / 2., 3 / 2., 5 / 2.), Point(.1, .2, .3),
-                          Point(.3, .6, .9), Point(1, 3 + 2 * tiny, 5), Point(7, 21, 35), Point(-2, 1, 1) };
+  const Points points = { Point(0, 0, 0),    Point(1, 3, 5),    Point(1 / 2., 3 / 2., 5 / 2.),
+                          Point(.1, .2, .3), Point(.3, .6, .9), Point(1, 3 + 2 * tiny, 5),
+                          Point(7, 21, 35),  Point(-2, 1, 1) };
   Hand_surface s(points);
   ISR_CHECK(s.add(0, 1, 2) == Triangle_verdict::DEGENERATE);
   ISR_CHECK(s.add(6, 2, 1) == Triangle_verdict::DEGENERATE);
@@ -101,7 +99,8 @@ void test_degenerate()
     const auto integer = [&] { return double(random.below(1u << 26)) + double(1u << 26); };
     const double x = integer(), y = integer(), z = integer(), f = double(3 + random.below(1000));
     const bool is_moved = i % 2 == 0;
-    const Points line = { Point(0, 0, 0), Point(x, y, z), Point(f * x, is_moved ? std::nextafter(f * y, 0.) : f * y, f * z) };
+    const Points line = { Point(0, 0, 0), Point(x, y, z),
+                          Point(f * x, is_moved ? std::nextafter(f * y, 0.) : f * y, f * z) };
     Hand_surface t(line);
     const bool is_degenerate = t.predicates.is_degenerate(t.indices[0], t.indices[1], t.indices[2]);
     ISR_CHECK_EQUAL(is_degenerate, !is_moved);
@@ -115,8 +114,8 @@ void test_folded()
 {
   begin_case("folded triangles");
   const double tiny = std::ldexp(1., -50);
-  const Points points = { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0), Point(0, -1, 0),
-                          Point(1, 1, tiny), Point(.5, 0, 1) };
+  const Points points = { Point(0, 0, 0),  Point(1, 0, 0),    Point(0, 1, 0), Point(1, 1, 0),
+                          Point(0, -1, 0), Point(1, 1, tiny), Point(.5, 0, 1) };
   Hand_surface s(points);
   ISR_CHECK(s.add(0, 1, 2) == Triangle_verdict::ADDED);
   ISR_CHECK(s.add(0, 1, 3) == Triangle_verdict::FOLDED);
@@ -188,7 +187,8 @@ void test_open_and_remove()
       ISR_CHECK(r.add(t[0], t[2], t[1]) == Triangle_verdict::ADDED);
       left = canonical(r.triangles());
       ISR_CHECK(std::count(left.begin(), left.end(), canonical({ t })[0]) +
-                  std::count(left.begin(), left.end(), canonical(turned({ t }))[0]) == 1);
+                  std::count(left.begin(), left.end(), canonical(turned({ t }))[0]) ==
+                1);
       if (!validation::is_consistently_oriented(left))
         ISR_CHECK(!"orientation");
     }
@@ -246,12 +246,13 @@ void test_random_triangles()
       ISR_CHECK(are_closed_fans_alone(after));
     }
     ISR_CHECK(is_storage_consistent(s.builder));
-    for (Triangle_verdict verdict : { Triangle_verdict::ADDED, Triangle_verdict::EDGE_FULL, Triangle_verdict::VERTEX_FULL,
-                                      Triangle_verdict::DUPLICATE, Triangle_verdict::NOT_ORIENTABLE })
+    for (Triangle_verdict verdict :
+         { Triangle_verdict::ADDED, Triangle_verdict::EDGE_FULL, Triangle_verdict::VERTEX_FULL,
+           Triangle_verdict::DUPLICATE, Triangle_verdict::NOT_ORIENTABLE })
       ISR_CHECK(verdicts[verdict] != 0);
     // only fans stand between that and a manifold
     Hole_closing<Builder> close(s.cloud.positions(), s.builder, 0);
-    close([](const Boundary_loop&) { return false; }, no_progress, [](const Builder::Triangle&, Triangle_verdict) { });
+    close([](const Boundary_loop&) { return false; }, no_progress, [](const Builder::Triangle&, Triangle_verdict) {});
     ISR_CHECK(validation::is_oriented_manifold(points, s.triangles(), Kernel()));
     ISR_CHECK(!s.triangles().empty());
   }
@@ -335,7 +336,8 @@ void test_loops()
   for (std::size_t i = 0; i != 20; ++i) {
     const std::size_t p = disc_loops[0][i], q = disc_loops[0][(i + 1) % 20];
     ISR_CHECK(std::count(edges.begin(), edges.end(), std::array<std::size_t, 2>{ { p, q } }) +
-                std::count(edges.begin(), edges.end(), std::array<std::size_t, 2>{ { q, p } }) == 1);
+                std::count(edges.begin(), edges.end(), std::array<std::size_t, 2>{ { q, p } }) ==
+              1);
   }
 
   // the same from agreed stars that have a gap
@@ -384,7 +386,8 @@ void test_loops_across_gaps()
   ISR_CHECK(h.add(holes.triples));
   const auto hole_loops = loops_of(h);
   ISR_CHECK_EQUAL(hole_loops.size(), 3u);
-  ISR_CHECK(hole_loops.size() == 3 && hole_loops[0].size() == 4 && hole_loops[1].size() == 4 && hole_loops[2].size() == 24);
+  ISR_CHECK(hole_loops.size() == 3 && hole_loops[0].size() == 4 && hole_loops[1].size() == 4 &&
+            hole_loops[2].size() == 24);
 }
 
 } // namespace

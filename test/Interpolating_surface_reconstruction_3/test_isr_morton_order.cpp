@@ -16,7 +16,7 @@ std::uint64_t naive_key(const Local_point& p, const Octree_cube& cube)
   double size = cube.size;
   for (int level = 0; level != MORTON_LEVELS; ++level) {
     size /= 2;
-    for (std::size_t a = 3; a-- != 0; ) {
+    for (std::size_t a = 3; a-- != 0;) {
       const bool is_upper = p[int(a)] >= low[a] + size;
       low[a] += is_upper ? size : 0.;
       result = 2 * result + (is_upper ? 1 : 0);
@@ -35,8 +35,7 @@ void test_key()
   assert(key(Local_point(-1e-9, 0, 0)) == 0);
   assert(key(Local_point(2, 2, 2)) == (std::uint64_t(1) << 63) - 1);
   for (unsigned int octant = 0; octant != 8; ++octant) {
-    const std::uint64_t k =
-        key(Local_point(octant & 1u ? .75 : .25, octant & 2u ? .75 : .25, octant & 4u ? .75 : .25));
+    const std::uint64_t k = key(Local_point(octant & 1u ? .75 : .25, octant & 2u ? .75 : .25, octant & 4u ? .75 : .25));
     assert(Morton_key::octant(k, 0) == octant);
     assert(Morton_key::octant(k, 1) == 7);
     assert(Morton_key::octant(k, 2) == 0);
@@ -50,8 +49,7 @@ void test_key()
 
 void test_bounding_cube()
 {
-  const std::vector<Local_point> points = { Local_point(1, 5, -2), Local_point(3, 5, -7),
-                                            Local_point(2, 6, 0) };
+  const std::vector<Local_point> points = { Local_point(1, 5, -2), Local_point(3, 5, -7), Local_point(2, 6, 0) };
   const Octree_cube cube = bounding_cube(points.begin(), points.end());
   assert((cube.origin == std::array<double, 3>{ 1., 5., -7. }) && cube.size == 7.);
   assert(bounding_cube(points.begin(), points.begin() + 1).size == 0.);

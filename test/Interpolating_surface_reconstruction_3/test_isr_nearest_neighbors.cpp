@@ -23,9 +23,8 @@ void check(const Indexed_points& indexed, Point_index p, const Star_neighborhood
     if (q != p)
       squared.push_back(CGAL::squared_distance(indexed.points[p], indexed.points[q]));
   std::sort(squared.begin(), squared.end());
-  std::size_t expected = std::size_t(
-      std::upper_bound(squared.begin(), squared.end(), maximum_radius * maximum_radius) -
-      squared.begin());
+  std::size_t expected =
+    std::size_t(std::upper_bound(squared.begin(), squared.end(), maximum_radius * maximum_radius) - squared.begin());
   const bool is_everything = expected <= size;
   expected = (std::min)(expected, size);
   assert(n.size() == expected);
@@ -38,8 +37,7 @@ void check(const Indexed_points& indexed, Point_index p, const Star_neighborhood
   }
   // no unlisted point is closer than the radius
   if (n.size() < squared.size())
-    assert(n.squared_radius() <=
-           (1. + TOLERANCE) * (std::max)(squared[n.size()], maximum_radius * maximum_radius));
+    assert(n.squared_radius() <= (1. + TOLERANCE) * (std::max)(squared[n.size()], maximum_radius * maximum_radius));
   if (n.size() < squared.size() && squared[n.size()] <= maximum_radius * maximum_radius)
     assert(n.squared_radius() <= (1. + TOLERANCE) * squared[n.size()]);
   if (n.size() != 0)
@@ -48,19 +46,17 @@ void check(const Indexed_points& indexed, Point_index p, const Star_neighborhood
     assert(n.squared_radius() == maximum_radius * maximum_radius);
 }
 
-void compare(const std::vector<Local_point>& points, std::size_t size,
-             double maximum_radius = INFINITE)
+void compare(const std::vector<Local_point>& points, std::size_t size, double maximum_radius = INFINITE)
 {
   const Indexed_points indexed(points);
   Nearest_neighbors neighbors(indexed.points, indexed.octree, maximum_radius);
   std::vector<int> visits(points.size(), 0);
   for (std::uint32_t leaf : indexed.octree.leaves())
-    neighbors.for_each_point(indexed.octree.node(leaf), size, size,
-                             [&](Point_index p, const Star_neighborhood& n) {
-                               ++visits[p];
-                               check(indexed, p, n, neighbors.indices(), size, maximum_radius);
-                               return true;
-                             });
+    neighbors.for_each_point(indexed.octree.node(leaf), size, size, [&](Point_index p, const Star_neighborhood& n) {
+      ++visits[p];
+      check(indexed, p, n, neighbors.indices(), size, maximum_radius);
+      return true;
+    });
   assert(std::count(visits.begin(), visits.end(), 1) == std::ptrdiff_t(points.size()));
 }
 
@@ -93,8 +89,7 @@ void test_clusters_of_different_spacing()
   std::vector<Local_point> clusters;
   for (int scale = 0; scale != 6; ++scale)
     for (const Local_point& p : sphere(60, .05, std::uint32_t(scale)))
-      clusters.push_back(Local_point(3. * scale, 0, 0) +
-                         (p - CGAL::ORIGIN) * std::pow(1e-2, scale));
+      clusters.push_back(Local_point(3. * scale, 0, 0) + (p - CGAL::ORIGIN) * std::pow(1e-2, scale));
   compare(clusters, 16);
   compare(clusters, 64);
   // few points, in leaves that hold several clusters, far from the leaf's corner
@@ -141,18 +136,16 @@ void test_growth()
   const Indexed_points indexed(sphere(500, .02, 21));
   Nearest_neighbors neighbors(indexed.points, indexed.octree, INFINITE);
   for (std::size_t maximum : { 8u, 40u, 64u, 5000u }) {
-    std::vector<std::vector<std::size_t>> sizes(indexed.points.size());
+    std::vector<std::vector<std::size_t> > sizes(indexed.points.size());
     for (std::uint32_t leaf : indexed.octree.leaves())
-      neighbors.for_each_point(indexed.octree.node(leaf), 8, maximum,
-                               [&](Point_index p, const Star_neighborhood& n) {
-                                 check(indexed, p, n, neighbors.indices(), n.size(), INFINITE);
-                                 sizes[p].push_back(n.size());
-                                 return p % 3 == 0 && sizes[p].size() == 2;
-                               });
+      neighbors.for_each_point(indexed.octree.node(leaf), 8, maximum, [&](Point_index p, const Star_neighborhood& n) {
+        check(indexed, p, n, neighbors.indices(), n.size(), INFINITE);
+        sizes[p].push_back(n.size());
+        return p % 3 == 0 && sizes[p].size() == 2;
+      });
     for (Point_index p = 0; p != sizes.size(); ++p) {
       std::vector<std::size_t> expected = { 8 };
-      while (expected.back() < (std::min<std::size_t>)(maximum, 499) &&
-             !(p % 3 == 0 && expected.size() == 2))
+      while (expected.back() < (std::min<std::size_t>)(maximum, 499) && !(p % 3 == 0 && expected.size() == 2))
         expected.push_back((std::min)({ 2 * expected.back(), maximum, std::size_t(499) }));
       assert(sizes[p] == expected);
     }
@@ -166,12 +159,11 @@ double seconds_for(const std::vector<Local_point>& points)
   Nearest_neighbors neighbors(indexed.points, indexed.octree, INFINITE);
   std::size_t visits = 0;
   for (std::uint32_t leaf : indexed.octree.leaves())
-    neighbors.for_each_point(indexed.octree.node(leaf), 16, 64,
-                             [&](Point_index, const Star_neighborhood& n) {
-                               ++visits;
-                               assert(n.size() == 16);
-                               return true;
-                             });
+    neighbors.for_each_point(indexed.octree.node(leaf), 16, 64, [&](Point_index, const Star_neighborhood& n) {
+      ++visits;
+      assert(n.size() == 16);
+      return true;
+    });
   assert(visits == points.size());
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }

@@ -19,8 +19,7 @@ Local_box bounding_box(const std::vector<Local_point>& points, Point_index begin
 Local_box cell_box(const Node& n)
 {
   const double s = n.cell.size;
-  return Local_box{ n.cell.origin,
-                    { n.cell.origin[0] + s, n.cell.origin[1] + s, n.cell.origin[2] + s } };
+  return Local_box{ n.cell.origin, { n.cell.origin[0] + s, n.cell.origin[1] + s, n.cell.origin[2] + s } };
 }
 
 void check_node(const Indexed_points& indexed, std::uint32_t i)
@@ -53,12 +52,10 @@ void check(const std::vector<Local_point>& points)
   const Point_octree_3& octree = indexed.octree;
   if (points.empty()) {
     assert(octree.nodes().empty() && octree.leaves().empty());
-    octree.for_each_leaf_overlapping(Local_box{ { 0, 0, 0 }, { 1, 1, 1 } },
-                                     [](const Node&) { assert(false); });
+    octree.for_each_leaf_overlapping(Local_box{ { 0, 0, 0 }, { 1, 1, 1 } }, [](const Node&) { assert(false); });
     return;
   }
-  assert(octree.node(0).begin == 0 && octree.node(0).end == points.size() &&
-         octree.node(0).parent == 0);
+  assert(octree.node(0).begin == 0 && octree.node(0).end == points.size() && octree.node(0).parent == 0);
   for (std::uint32_t i = 0; i != octree.nodes().size(); ++i)
     check_node(indexed, i);
   assert(octree.nodes().size() <= 2 * octree.leaves().size());
@@ -107,17 +104,14 @@ void test_overlapping_leaves()
   Random random(8);
   std::vector<std::uint32_t> stack;
   for (int i = 0; i != 300; ++i) {
-    const double x = random(-1, 1), y = random(-1, 1), z = random(-1, 1),
-                 r = i % 3 == 0 ? 0. : random(0, 1);
+    const double x = random(-1, 1), y = random(-1, 1), z = random(-1, 1), r = i % 3 == 0 ? 0. : random(0, 1);
     const Local_box box{ { x - r, y - r, z - r }, { x + r, y + r, z + r } };
     std::vector<Point_index> expected, with_stack, without_stack;
     for (std::uint32_t leaf : indexed.octree.leaves())
       if (indexed.octree.node(leaf).box.overlaps(box))
         expected.push_back(indexed.octree.node(leaf).begin);
-    indexed.octree.for_each_leaf_overlapping(
-        box, [&](const Node& n) { without_stack.push_back(n.begin); });
-    indexed.octree.for_each_leaf_overlapping(box, stack,
-                                             [&](const Node& n) { with_stack.push_back(n.begin); });
+    indexed.octree.for_each_leaf_overlapping(box, [&](const Node& n) { without_stack.push_back(n.begin); });
+    indexed.octree.for_each_leaf_overlapping(box, stack, [&](const Node& n) { with_stack.push_back(n.begin); });
     assert(with_stack == without_stack);
     std::sort(with_stack.begin(), with_stack.end());
     assert(with_stack == expected);
@@ -132,8 +126,7 @@ void test_box()
   assert(box.contains(box) && box.contains(Local_box{ { .5, .5, .5 }, { .6, .6, .6 } }));
   assert(!box.contains(Local_box{ { .5, .5, .5 }, { .6, .6, 3.1 } }));
   const Local_box large = box.enlarged(1);
-  assert((large.low == std::array<double, 3>{ -1, -1, -1 }) &&
-         (large.high == std::array<double, 3>{ 2, 3, 4 }));
+  assert((large.low == std::array<double, 3>{ -1, -1, -1 }) && (large.high == std::array<double, 3>{ 2, 3, 4 }));
 }
 
 int main()

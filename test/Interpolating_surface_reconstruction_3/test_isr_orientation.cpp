@@ -50,10 +50,7 @@ Mesh tetrahedron(const Points& points)
   return mesh;
 }
 
-Mesh unit_tetrahedron()
-{
-  return tetrahedron({ Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) });
-}
+Mesh unit_tetrahedron() { return tetrahedron({ Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) }); }
 
 Mesh moved(Mesh mesh, double scale, const Vector& by)
 {
@@ -82,7 +79,8 @@ void test_several_components()
   begin_case("one component inside out");
   Mesh mixed = nested;
   mixed.triples = turned(globe(8, 12).triples);
-  mixed.triples.insert(mixed.triples.end(), nested.triples.begin() + std::ptrdiff_t(mixed.triples.size()), nested.triples.end());
+  mixed.triples.insert(mixed.triples.end(), nested.triples.begin() + std::ptrdiff_t(mixed.triples.size()),
+                       nested.triples.end());
   Hand_surface s(mixed.points);
   ISR_CHECK(s.add(mixed.triples));
   ISR_CHECK(canonical(facing_outward(s)) == canonical(nested.triples));
@@ -111,7 +109,8 @@ void test_nearly_flat()
     Points points;
     const Vector u = random.unit(), v = random.unit();
     const Point origin(random.uniform(), random.uniform(), random.uniform());
-    for (const auto& c : { std::make_pair(0., 0.), std::make_pair(1., .1), std::make_pair(.9, 1.2), std::make_pair(-.1, 1.) })
+    for (const auto& c :
+         { std::make_pair(0., 0.), std::make_pair(1., .1), std::make_pair(.9, 1.2), std::make_pair(-.1, 1.) })
       points.push_back(origin + c.first * u + c.second * v);
     if (CGAL::coplanar(points[0], points[1], points[2], points[3]))
       continue;
@@ -167,7 +166,9 @@ void test_normals()
   const std::size_t first = mesh.points.size(), first_triangles = mesh.triples.size();
   const Point center(5, 0, 0);
   append(mesh, globe(6, 9, center));
-  const auto outward = [&](std::size_t p) { return p < first ? mesh.points[p] - CGAL::ORIGIN : mesh.points[p] - center; };
+  const auto outward = [&](std::size_t p) {
+    return p < first ? mesh.points[p] - CGAL::ORIGIN : mesh.points[p] - center;
+  };
   const Triples expected = canonical(mesh.triples);
   Triples split = turned(mesh.triples);
   std::copy(mesh.triples.begin(), mesh.triples.begin() + std::ptrdiff_t(first_triangles), split.begin());
@@ -177,7 +178,8 @@ void test_normals()
     ISR_CHECK(canonical(aligned(s, outward)) == expected);
     ISR_CHECK(canonical(aligned(s, [&](std::size_t p) { return -outward(p); })) == canonical(turned(mesh.triples)));
     // each component follows its own normals
-    ISR_CHECK(canonical(aligned(s, [&](std::size_t p) { return p < first ? outward(p) : -outward(p); })) == canonical(split));
+    ISR_CHECK(canonical(aligned(s, [&](std::size_t p) { return p < first ? outward(p) : -outward(p); })) ==
+              canonical(split));
     // and the majority of them
     ISR_CHECK(canonical(aligned(s, [&](std::size_t p) { return p % 4 == 0 ? -outward(p) : outward(p); })) == expected);
   }
@@ -188,7 +190,8 @@ void test_normals()
     Hand_surface s(flat.points);
     ISR_CHECK(s.add(flat.triples));
     for (const Triple& t : aligned(s, [&](std::size_t) { return Vector(.3, 0, z); }))
-      ISR_CHECK(CGAL::cross_product(flat.points[t[1]] - flat.points[t[0]], flat.points[t[2]] - flat.points[t[0]]).z() * z > 0.);
+      ISR_CHECK(
+        CGAL::cross_product(flat.points[t[1]] - flat.points[t[0]], flat.points[t[2]] - flat.points[t[0]]).z() * z > 0.);
   }
 }
 

@@ -50,10 +50,9 @@ void test_with_boundaries(const Sample& s)
 
 void test_surfaces()
 {
-  const Sample closed[] = {
-    sphere_fibonacci(2000), sphere_random(1500, 1), sphere_uv(40, 20), torus(60, 24, 0., 1), torus(60, 24, .2, 2),
-    knot(200, 12), double_torus(.05, 1), box(12, 12, 12), box(12, 7, 3), box_jittered(12, .3, 1), two_boxes(8, 4.),
-    cone(20, 2.) };
+  const Sample closed[] = { sphere_fibonacci(2000), sphere_random(1500, 1),  sphere_uv(40, 20),    torus(60, 24, 0., 1),
+                            torus(60, 24, .2, 2),   knot(200, 12),           double_torus(.05, 1), box(12, 12, 12),
+                            box(12, 7, 3),          box_jittered(12, .3, 1), two_boxes(8, 4.),     cone(20, 2.) };
   for (const Sample& s : closed)
     test_closed(s);
   const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40) };
@@ -174,7 +173,8 @@ void test_flat_regions_come_first()
   std::vector<int> faces;
   for (const Triple& t : grown(box_points))
     for (int side = 0; side != 6; ++side)
-      if (std::all_of(t.begin(), t.end(), [&](std::size_t p) { return box_points[p][side / 2] == (side % 2 == 0 ? 0. : 12.); }) &&
+      if (std::all_of(t.begin(), t.end(),
+                      [&](std::size_t p) { return box_points[p][side / 2] == (side % 2 == 0 ? 0. : 12.); }) &&
           (faces.empty() || faces.back() != side))
         faces.push_back(side);
   std::set<int> finished(faces.begin(), faces.end());
@@ -201,7 +201,8 @@ void test_regularity()
     std::vector<std::array<Point, 3> > ours, delaunay;
     for (const Triple& t : pcr(points, params::keep_boundaries(true)))
       ours.push_back({ { points[t[0]], points[t[1]], points[t[2]] } });
-    const CGAL::Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<Kernel> > triangulation(points.begin(), points.end());
+    const CGAL::Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<Kernel> > triangulation(points.begin(),
+                                                                                              points.end());
     for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
       delaunay.push_back({ { f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point() } });
     ISR_CHECK(double(ours.size()) > .98 * double(delaunay.size()));

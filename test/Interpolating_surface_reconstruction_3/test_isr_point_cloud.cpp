@@ -22,14 +22,10 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 template <typename K>
 ISR::internal::Point_cloud_3<K> cloud_of(const std::vector<typename K::Point_3>& points)
 {
-  return ISR::internal::Point_cloud_3<K>(points, CGAL::Identity_property_map<typename K::Point_3>(),
-                                         K());
+  return ISR::internal::Point_cloud_3<K>(points, CGAL::Identity_property_map<typename K::Point_3>(), K());
 }
 
-Cloud cloud_of(const std::vector<Point_3>& points)
-{
-  return cloud_of<Kernel>(points);
-}
+Cloud cloud_of(const std::vector<Point_3>& points) { return cloud_of<Kernel>(points); }
 
 std::vector<Point_3> random_points(std::size_t n, std::uint32_t seed)
 {
@@ -56,20 +52,19 @@ double longest_side(const Cloud& cloud)
 // Every usable point of the range is there once, under the index of its first occurrence.
 void check(const std::vector<Point_3>& points, const Cloud& cloud)
 {
-  std::vector<std::pair<Point_3, std::size_t>> expected;
+  std::vector<std::pair<Point_3, std::size_t> > expected;
   for (std::size_t i = 0; i != points.size(); ++i)
-    if (std::isfinite(points[i].x()) && std::isfinite(points[i].y()) &&
-        std::isfinite(points[i].z()))
+    if (std::isfinite(points[i].x()) && std::isfinite(points[i].y()) && std::isfinite(points[i].z()))
       expected.emplace_back(points[i], i);
   assert(cloud.number_of_non_finite_points() == points.size() - expected.size());
   std::sort(expected.begin(), expected.end());
   const std::size_t finite = expected.size();
-  expected.erase(std::unique(expected.begin(), expected.end(),
-                             [](const auto& a, const auto& b) { return a.first == b.first; }),
-                 expected.end());
+  expected.erase(
+    std::unique(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+    expected.end());
   assert(cloud.number_of_duplicates() == finite - expected.size());
   assert(cloud.size() == expected.size() && cloud.positions().size() == expected.size());
-  std::vector<std::pair<Point_3, std::size_t>> actual;
+  std::vector<std::pair<Point_3, std::size_t> > actual;
   for (Point_index i = 0; i != cloud.size(); ++i) {
     actual.emplace_back(cloud.point(i), cloud.input_index(i));
     assert(&cloud.positions()[i] == &cloud.position(i));
@@ -114,8 +109,7 @@ void test_duplicates()
   assert(cloud.size() == 300 && cloud.number_of_duplicates() == 2000);
   check(points, cloud);
 
-  const Cloud zeros =
-      cloud_of({ Point_3(1, 1, 1), Point_3(0., -0., 0.), Point_3(-0., 0., -0.), Point_3(0, 0, 0) });
+  const Cloud zeros = cloud_of({ Point_3(1, 1, 1), Point_3(0., -0., 0.), Point_3(-0., 0., -0.), Point_3(0, 0, 0) });
   assert(zeros.size() == 2 && zeros.number_of_duplicates() == 2);
   assert((std::min)(zeros.input_index(0), zeros.input_index(1)) == 0 &&
          zeros.input_index(0) + zeros.input_index(1) == 1);
@@ -127,8 +121,7 @@ void test_far_from_origin()
   Random random(3);
   std::vector<Point_3> points;
   for (int i = 0; i != 400; ++i) {
-    const double x = 1e6 + 1e-3 * double(random.below(40)),
-                 y = -1e6 + 1e-3 * double(random.below(40)),
+    const double x = 1e6 + 1e-3 * double(random.below(40)), y = -1e6 + 1e-3 * double(random.below(40)),
                  z = 1e6 - 1e-3 * double(random.below(40));
     points.emplace_back(x, y, z);
   }
@@ -190,8 +183,7 @@ void test_huge_coordinates()
     p = Point_3(1e308 * p.x(), 1e308 * p.y(), 1e308 * p.z());
   points.emplace_back(1e308, 1e308, 1e308);
   points.emplace_back(-1e308, -1e308, -1e308);
-  points.emplace_back((std::numeric_limits<double>::max)(), -(std::numeric_limits<double>::max)(),
-                      0);
+  points.emplace_back((std::numeric_limits<double>::max)(), -(std::numeric_limits<double>::max)(), 0);
   const Cloud cloud = cloud_of(points);
   check(points, cloud);
   assert(longest_side(cloud) >= 1. && longest_side(cloud) < 2.);
@@ -236,8 +228,7 @@ void test_power_of_two()
   for (int exponent : { -900, -20, -1, 1, 3, 60, 1000 }) {
     std::vector<Point_3> scaled;
     for (const Point_3& p : points)
-      scaled.emplace_back(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
-                          std::ldexp(p.z(), exponent));
+      scaled.emplace_back(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
     const Cloud result = cloud_of(scaled);
     assert(result.positions() == cloud.positions());
     for (Point_index i = 0; i != cloud.size(); ++i)
@@ -275,8 +266,7 @@ void test_points_that_coincide_in_double()
 void test_other_ranges_and_kernels()
 {
   using Single = CGAL::Simple_cartesian<float>;
-  const auto cloud = cloud_of<Single>(
-      { Single::Point_3(1, 2, 3), Single::Point_3(2, 2, 3), Single::Point_3(1, 2, 3) });
+  const auto cloud = cloud_of<Single>({ Single::Point_3(1, 2, 3), Single::Point_3(2, 2, 3), Single::Point_3(1, 2, 3) });
   assert(cloud.size() == 2 && cloud.number_of_duplicates() == 1);
 
   using Named_point = std::pair<int, Point_3>;

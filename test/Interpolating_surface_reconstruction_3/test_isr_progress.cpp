@@ -17,14 +17,11 @@ using Progress = CGAL::Interpolating_surface_reconstruction_3::internal::Progres
 
 struct Recording_visitor : ISR_visitor
 {
-  std::vector<std::pair<Stage, std::ptrdiff_t>> events;
+  std::vector<std::pair<Stage, std::ptrdiff_t> > events;
   std::size_t polls = 0, polls_before_cancel = std::size_t(-1);
 
   void on_stage_begin(Stage stage) { events.emplace_back(stage, -1); }
-  void on_stage_end(Stage stage, std::size_t items)
-  {
-    events.emplace_back(stage, std::ptrdiff_t(items));
-  }
+  void on_stage_end(Stage stage, std::size_t items) { events.emplace_back(stage, std::ptrdiff_t(items)); }
   bool go_further() { return ++polls <= polls_before_cancel; }
 };
 
@@ -51,20 +48,19 @@ void test_monotone()
   std::vector<double> values;
   Recording_visitor visitor;
   Progress<Recording_visitor> progress(
-      [&](double v) {
-        values.push_back(v);
-        return true;
-      },
-      visitor);
+    [&](double v) {
+      values.push_back(v);
+      return true;
+    },
+    visitor);
   run(progress);
   assert(progress.finish() && !progress.is_cancelled());
   check_monotone(values);
   assert(values.front() == 0. && values.back() == 1. && values.size() > 40);
   assert(visitor.events.size() == 8 && &progress.visitor() == &visitor);
-  const std::vector<std::pair<Stage, std::ptrdiff_t>> expected = {
-    { Stage::INDEXING, -1 },    { Stage::INDEXING, 10 },   { Stage::STARS, -1 },
-    { Stage::STARS, 10 },       { Stage::COMPLETION, -1 },    { Stage::COMPLETION, 10 },
-    { Stage::ORIENTATION, -1 }, { Stage::ORIENTATION, 10 }
+  const std::vector<std::pair<Stage, std::ptrdiff_t> > expected = {
+    { Stage::INDEXING, -1 },   { Stage::INDEXING, 10 },   { Stage::STARS, -1 },       { Stage::STARS, 10 },
+    { Stage::COMPLETION, -1 }, { Stage::COMPLETION, 10 }, { Stage::ORIENTATION, -1 }, { Stage::ORIENTATION, 10 }
   };
   assert(visitor.events == expected);
 }
@@ -74,7 +70,12 @@ void test_fraction_that_decreases()
 {
   std::vector<double> values;
   ISR_visitor visitor;
-  Progress<ISR_visitor> progress([&](double v) { values.push_back(v); return true; }, visitor);
+  Progress<ISR_visitor> progress(
+    [&](double v) {
+      values.push_back(v);
+      return true;
+    },
+    visitor);
   progress.begin_stage(Stage::STARS, 1.);
   for (double fraction : { .5, .2, .7, .1 })
     assert(progress.advance(fraction));
@@ -126,12 +127,14 @@ void test_exception()
 {
   ISR_visitor visitor;
   int calls = 0;
-  Progress<ISR_visitor> progress([&](double v) -> bool {
-    ++calls;
-    if (v > .1)
-      throw std::runtime_error("from the callback");
-    return true;
-  }, visitor);
+  Progress<ISR_visitor> progress(
+    [&](double v) -> bool {
+      ++calls;
+      if (v > .1)
+        throw std::runtime_error("from the callback");
+      return true;
+    },
+    visitor);
   progress.begin_stage(Stage::STARS, .5);
   // in the worker: no exception, but the run is cancelled
   std::thread worker([&] { assert(!progress.advance(.9)); });
@@ -162,13 +165,15 @@ void test_threads()
   std::vector<double> values;
   std::atomic<int> inside{ 0 };
   ISR_visitor visitor;
-  Progress<ISR_visitor> progress([&](double v) {
-    assert(++inside == 1);
-    values.push_back(v);
-    std::this_thread::yield();
-    --inside;
-    return true;
-  }, visitor);
+  Progress<ISR_visitor> progress(
+    [&](double v) {
+      assert(++inside == 1);
+      values.push_back(v);
+      std::this_thread::yield();
+      --inside;
+      return true;
+    },
+    visitor);
   progress.begin_stage(Stage::STARS, 1.);
   std::atomic<int> done{ 0 };
   std::vector<std::thread> threads;

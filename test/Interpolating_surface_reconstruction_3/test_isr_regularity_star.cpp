@@ -12,9 +12,8 @@ using ISR::internal::Box_neighborhoods;
 
 ISR::Point_star star_of(std::vector<Local_vector> offsets)
 {
-  std::sort(offsets.begin(), offsets.end(), [](const Local_vector& u, const Local_vector& v) {
-    return u.squared_length() < v.squared_length();
-  });
+  std::sort(offsets.begin(), offsets.end(),
+            [](const Local_vector& u, const Local_vector& v) { return u.squared_length() < v.squared_length(); });
   ISR::Point_star star;
   star.link.assign(7, 5); // left from another point
   assert(Regularity_star_3()(ISR::Star_neighborhood(offsets.data(), offsets.size(), 0.), star));
@@ -50,8 +49,7 @@ void test_hexagonal_patch()
   for (std::size_t p = 0; p != indexed.points.size(); ++p) {
     std::set<Point_index> expected;
     for (std::size_t q = 0; q != indexed.points.size(); ++q)
-      if (q != p &&
-          CGAL::squared_distance(indexed.points[p], indexed.points[q]) < 1.01 * edge * edge)
+      if (q != p && CGAL::squared_distance(indexed.points[p], indexed.points[q]) < 1.01 * edge * edge)
         expected.insert(Point_index(q));
     // a zigzag boundary has dents, whose points with five neighbors may close their stars
     if (expected.size() == 6) {
@@ -111,18 +109,15 @@ void test_two_sheets()
     points.push_back(points[i] + tilted_plane_normal() * (1.5 / 16));
   const Indexed_points indexed(points);
   const Stars stars = construct_stars<Box_neighborhoods>(indexed, Regularity_star_3());
-  const auto height = [&](std::size_t i) {
-    return (indexed.points[i] - CGAL::ORIGIN) * tilted_plane_normal();
-  };
+  const auto height = [&](std::size_t i) { return (indexed.points[i] - CGAL::ORIGIN) * tilted_plane_normal(); };
   std::size_t inner = 0; // at the rims the sheets may be joined
   for (std::size_t p = 0; p != indexed.points.size(); ++p) {
     const std::vector<Point_index>& link = stars.links[p];
     inner += stars.is_closed(p) && link.size() == 6 &&
-                     std::all_of(
-                         link.begin(), link.end(),
-                         [&](Point_index q) { return std::abs(height(p) - height(q)) < .1 / 16; })
-                 ? 1u
-                 : 0u;
+                 std::all_of(link.begin(), link.end(),
+                             [&](Point_index q) { return std::abs(height(p) - height(q)) < .1 / 16; })
+               ? 1u
+               : 0u;
   }
   assert(inner >= 2 * 14 * 14);
 }
@@ -133,10 +128,8 @@ void test_few_neighbors()
   assert(star_of({ Local_vector(1, 0, 0) }).link.empty());
   assert(star_of({ Local_vector(0, 0, 0), Local_vector(0, 0, 0) }).link.empty());
   // collinear
-  assert(star_of({ Local_vector(1, 0, 0), Local_vector(-1.5, 0, 0), Local_vector(2, 0, 0) })
-             .link.empty());
-  for (const Local_vector& n :
-       { star_of({}).normal, star_of({ Local_vector(1, 0, 0), Local_vector(2, 0, 0) }).normal })
+  assert(star_of({ Local_vector(1, 0, 0), Local_vector(-1.5, 0, 0), Local_vector(2, 0, 0) }).link.empty());
+  for (const Local_vector& n : { star_of({}).normal, star_of({ Local_vector(1, 0, 0), Local_vector(2, 0, 0) }).normal })
     assert(n.squared_length() == 1.);
   // one triangle
   const ISR::Point_star triangle = star_of({ Local_vector(1, 0, 0), Local_vector(0, 1.1, 0) });
@@ -144,9 +137,8 @@ void test_few_neighbors()
   assert(std::abs(triangle.normal.z()) == 1.);
   // three triangles around the center
   const ISR::Point_star closed =
-      star_of({ Local_vector(1, 0, 0), Local_vector(-.5, .9, 0), Local_vector(-.5, -.95, 0) });
-  assert((std::set<std::uint32_t>(closed.link.begin(), closed.link.end()) ==
-          std::set<std::uint32_t>{ 0, 1, 2 }));
+    star_of({ Local_vector(1, 0, 0), Local_vector(-.5, .9, 0), Local_vector(-.5, -.95, 0) });
+  assert((std::set<std::uint32_t>(closed.link.begin(), closed.link.end()) == std::set<std::uint32_t>{ 0, 1, 2 }));
 }
 
 // Points that coincide with the center in double coordinates are passed over.
@@ -156,18 +148,16 @@ void test_coincident_neighbor()
   for (int i = 0; i != 6; ++i)
     offsets.emplace_back(std::cos(i * std::acos(.5)), std::sin(i * std::acos(.5)), 0.);
   const ISR::Point_star star = star_of(offsets);
-  assert((std::set<std::uint32_t>(star.link.begin(), star.link.end()) ==
-          std::set<std::uint32_t>{ 3, 4, 5, 6, 7, 8 }));
+  assert((std::set<std::uint32_t>(star.link.begin(), star.link.end()) == std::set<std::uint32_t>{ 3, 4, 5, 6, 7, 8 }));
 }
 
 // The tip of a pyramid: its four neighbors, not the point below.
 void test_pyramid()
 {
   const ISR::Point_star star =
-      star_of({ Local_vector(1, 0, -.6), Local_vector(0, 1.01, -.6), Local_vector(-1.02, 0, -.6),
-                Local_vector(0, -1.03, -.6), Local_vector(0, 0, -2) });
-  assert((std::set<std::uint32_t>(star.link.begin(), star.link.end()) ==
-          std::set<std::uint32_t>{ 0, 1, 2, 3 }));
+    star_of({ Local_vector(1, 0, -.6), Local_vector(0, 1.01, -.6), Local_vector(-1.02, 0, -.6),
+              Local_vector(0, -1.03, -.6), Local_vector(0, 0, -2) });
+  assert((std::set<std::uint32_t>(star.link.begin(), star.link.end()) == std::set<std::uint32_t>{ 0, 1, 2, 3 }));
   assert(std::abs(star.normal.z()) > .99);
 }
 

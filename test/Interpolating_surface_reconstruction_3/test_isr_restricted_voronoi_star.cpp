@@ -16,8 +16,7 @@ using ISR::internal::Nearest_neighbors;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<
-                CGAL::Triangulation_vertex_base_with_info_2<Point_index, Kernel>>>;
+  Kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<Point_index, Kernel> > >;
 using Indices = std::set<Point_index>;
 
 Indices neighbors_of(const Stars& stars, std::size_t p)
@@ -31,15 +30,14 @@ Indices neighbors_of(const Stars& stars, std::size_t p)
 std::vector<Indices> delaunay_neighbors(const Indexed_points& indexed)
 {
   const Local_vector u(2. / 3, 2. / 3, 1. / 3), v(-2. / 3, 1. / 3, 2. / 3);
-  std::vector<std::pair<Kernel::Point_2, Point_index>> points;
+  std::vector<std::pair<Kernel::Point_2, Point_index> > points;
   for (Point_index i = 0; i != indexed.points.size(); ++i) {
     const Local_vector d = indexed.points[i] - CGAL::ORIGIN;
     points.emplace_back(Kernel::Point_2(d * u, d * v), i);
   }
   const Delaunay delaunay(points.begin(), points.end());
   std::vector<Indices> result(points.size());
-  for (auto vertex = delaunay.finite_vertices_begin(); vertex != delaunay.finite_vertices_end();
-       ++vertex) {
+  for (auto vertex = delaunay.finite_vertices_begin(); vertex != delaunay.finite_vertices_end(); ++vertex) {
     Indices& neighbors = result[vertex->info()];
     auto it = delaunay.incident_vertices(vertex), end = it;
     bool is_inner = true;
@@ -81,8 +79,7 @@ void test_hexagonal_patch()
   for (std::size_t p = 0; p != indexed.points.size(); ++p) {
     Indices adjacent;
     for (std::size_t q = 0; q != indexed.points.size(); ++q)
-      if (q != p &&
-          CGAL::squared_distance(indexed.points[p], indexed.points[q]) < 1.01 / double(m * m))
+      if (q != p && CGAL::squared_distance(indexed.points[p], indexed.points[q]) < 1.01 / double(m * m))
         adjacent.insert(Point_index(q));
     if (adjacent.size() == 6) {
       ++inner;
@@ -126,11 +123,16 @@ void test_diagonals_of_squares()
   for (int rotation = 0; rotation != 5; ++rotation) {
     const auto placed = [&](const Local_point& p) {
       switch (rotation) {
-      case 0: return p;
-      case 1: return Local_point(p.z(), p.x(), p.y());
-      case 2: return on_tilted_plane(p.x() / double(m), p.y() / double(m));
-      case 3: return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), .1);
-      default: return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.x() / 3.);
+      case 0:
+        return p;
+      case 1:
+        return Local_point(p.z(), p.x(), p.y());
+      case 2:
+        return on_tilted_plane(p.x() / double(m), p.y() / double(m));
+      case 3:
+        return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), .1);
+      default:
+        return Local_point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.x() / 3.);
       }
     };
     // position on the grid of each point
@@ -187,14 +189,13 @@ void test_sphere()
 void test_certainty()
 {
   const Indexed_points indexed(sphere(800, .03, 5));
-  Nearest_neighbors neighbors(indexed.points, indexed.octree,
-                              std::numeric_limits<double>::infinity());
+  Nearest_neighbors neighbors(indexed.points, indexed.octree, std::numeric_limits<double>::infinity());
   const Restricted_voronoi_star_3 construct;
   const std::size_t all = indexed.points.size() - 1;
   ISR::Point_star star;
-  for (std::size_t size : { Restricted_voronoi_star_3::initial_number_of_neighbors(),
-                            std::size_t(24), std::size_t(64) }) {
-    std::vector<std::vector<Point_index>> certain(indexed.points.size());
+  for (std::size_t size :
+       { Restricted_voronoi_star_3::initial_number_of_neighbors(), std::size_t(24), std::size_t(64) }) {
+    std::vector<std::vector<Point_index> > certain(indexed.points.size());
     std::size_t number = 0;
     for (std::uint32_t leaf : indexed.octree.leaves()) {
       neighbors.for_each_point(indexed.octree.node(leaf), size, size,
@@ -202,22 +203,20 @@ void test_certainty()
                                  if (construct(n, star)) {
                                    ++number;
                                    for (std::uint32_t i : star.link)
-                                     certain[p].push_back(i == GAP ? NO_POINT
-                                                                   : neighbors.indices()[i]);
+                                     certain[p].push_back(i == GAP ? NO_POINT : neighbors.indices()[i]);
                                  }
                                  return true;
                                });
       neighbors.for_each_point(
-          indexed.octree.node(leaf), all, all, [&](Point_index p, const ISR::Star_neighborhood& n) {
-            assert(construct(n, star));
-            std::vector<Point_index> link;
-            for (std::uint32_t i : star.link)
-              link.push_back(i == GAP ? NO_POINT : neighbors.indices()[i]);
-            assert(certain[p].empty() ||
-                   (std::is_permutation(link.begin(), link.end(), certain[p].begin(),
-                                        certain[p].end())));
-            return true;
-          });
+        indexed.octree.node(leaf), all, all, [&](Point_index p, const ISR::Star_neighborhood& n) {
+          assert(construct(n, star));
+          std::vector<Point_index> link;
+          for (std::uint32_t i : star.link)
+            link.push_back(i == GAP ? NO_POINT : neighbors.indices()[i]);
+          assert(certain[p].empty() ||
+                 (std::is_permutation(link.begin(), link.end(), certain[p].begin(), certain[p].end())));
+          return true;
+        });
     }
     assert(number > 700);
   }

@@ -108,7 +108,8 @@ void test_votes()
 {
   begin_case("votes");
   // the triangle 0 1 2 in all stars, 0 2 3 in two of them, 0 3 1 in one
-  const Star_table stars = star_table({ { 1, 2, 3 }, { 2, 0, GAP }, { 0, 1, GAP, 3 }, { 9, GAP }, {}, {}, {}, {}, {}, {} });
+  const Star_table stars =
+    star_table({ { 1, 2, 3 }, { 2, 0, GAP }, { 0, 1, GAP, 3 }, { 9, GAP }, {}, {}, {}, {}, {}, {} });
   Star_compatibility compatibility = voted(stars);
   ISR_CHECK_EQUAL(compatibility.votes(0), 3);
   ISR_CHECK_EQUAL(compatibility.votes(1), 2);
@@ -117,7 +118,8 @@ void test_votes()
   ISR_CHECK_EQUAL(compatibility.votes(stars.begin(1) + 1), 0);
   // point 1 is agreed, with a gap, and its triangle with it; 0 has conflicts
   ISR_CHECK(compatibility.is_point_agreed(1) && compatibility.is_point_on_boundary(1));
-  ISR_CHECK(!compatibility.is_point_agreed(0) && !compatibility.is_point_agreed(2) && !compatibility.is_point_agreed(3));
+  ISR_CHECK(!compatibility.is_point_agreed(0) && !compatibility.is_point_agreed(2) &&
+            !compatibility.is_point_agreed(3));
   ISR_CHECK(compatibility.is_triangle_agreed(0) && !compatibility.is_triangle_agreed(1));
   ISR_CHECK_EQUAL(compatibility.number_of_agreed_points(), 1u);
   ISR_CHECK(!compatibility.is_star_open(0) && compatibility.is_star_open(2) && compatibility.is_star_open(4));
@@ -148,7 +150,8 @@ void test_agreement_of_two()
   const Star_table open = star_table({ { 1, 2, GAP }, { 2, 0, GAP }, { 0, 1, GAP } });
   ISR_CHECK_EQUAL(voted(open).number_of_agreed_points(), 3u);
   // two gaps are two fans
-  const Star_table fans = star_table({ { 1, 2, GAP, 3, 4, GAP }, { 2, 0, GAP }, { 0, 1, GAP }, { 4, 0, GAP }, { 0, 3, GAP } });
+  const Star_table fans =
+    star_table({ { 1, 2, GAP, 3, 4, GAP }, { 2, 0, GAP }, { 0, 1, GAP }, { 4, 0, GAP }, { 0, 3, GAP } });
   Star_compatibility two = voted(fans);
   ISR_CHECK(!two.is_point_agreed(0) && two.is_point_on_boundary(1));
   ISR_CHECK_EQUAL(two.number_of_agreed_points(), 4u);

@@ -33,7 +33,8 @@ void test_overload_resolution()
   static_assert(std::is_same<decltype(CGAL::ctc_reconstruction(points, mesh)), bool>::value, "");
   static_assert(std::is_same<decltype(CGAL::ctc_reconstruction(points, mesh, np)), bool>::value, "");
   static_assert(std::is_same<decltype(CGAL::ctc_reconstruction(points, mesh, const_np)), bool>::value, "");
-  static_assert(std::is_same<decltype(CGAL::ctc_reconstruction<CGAL::Sequential_tag>(points, mesh, np)), bool>::value, "");
+  static_assert(std::is_same<decltype(CGAL::ctc_reconstruction<CGAL::Sequential_tag>(points, mesh, np)), bool>::value,
+                "");
   using Inserter = std::back_insert_iterator<Triples>;
   Inserter out = std::back_inserter(triples);
   static_assert(std::is_same<decltype(CGAL::ctc_reconstruction(points, out)), Inserter>::value, "");

@@ -73,7 +73,8 @@ void test_refinement()
     std::vector<Triangle> triangles = faces_of_octahedron();
     std::vector<in::Local_point> added;
     in::Surface_refinement refine(positions, triangles, added);
-    refine.operator()<CGAL::Sequential_tag>(length, on_sphere, [](double fraction) { return fraction >= 0. && fraction <= 1.; });
+    refine.operator()<CGAL::Sequential_tag>(length, on_sphere,
+                                            [](double fraction) { return fraction >= 0. && fraction <= 1.; });
     std::vector<in::Local_point> all = positions;
     all.insert(all.end(), added.begin(), added.end());
     ISR_CHECK(longest_edge(all, triangles) <= length);
@@ -89,7 +90,8 @@ void test_refinement()
   std::vector<Triangle> triangles = { { { 0, 1, 2 } }, { { 1, 0, 3 } }, { { 1, 3, 4 } } };
   std::vector<in::Local_point> added;
   in::Surface_refinement refine(strip, triangles, added);
-  refine.operator()<CGAL::Sequential_tag>(2.5, [](const in::Local_point& x) { return x; }, [](double) { return true; });
+  refine.operator()<CGAL::Sequential_tag>(
+    2.5, [](const in::Local_point& x) { return x; }, [](double) { return true; });
   ISR_CHECK_EQUAL(triangles.size(), 2u + 4u + 3u);
   ISR_CHECK_EQUAL(added.size(), 4u);
   ISR_CHECK(validation::is_vertex_manifold(triples(triangles)));
@@ -98,7 +100,8 @@ void test_refinement()
 
   begin_case("too many triangles");
   try {
-    refine.operator()<CGAL::Sequential_tag>(1e-9, [](const in::Local_point& x) { return x; }, [](double) { return true; });
+    refine.operator()<CGAL::Sequential_tag>(
+      1e-9, [](const in::Local_point& x) { return x; }, [](double) { return true; });
     ISR_CHECK(!"exception");
   } catch (const std::invalid_argument& e) {
     ISR_CHECK(std::string(e.what()).find("grid_spacing") == 0);

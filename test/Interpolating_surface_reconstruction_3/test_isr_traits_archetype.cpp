@@ -35,9 +35,9 @@ void test_same_as_kernel(const std::string& name, const Points& points)
 {
   begin_case(name);
   ISR_CHECK(ctc(wrapped(points), params::geom_traits(Archetype_traits())) == ctc(points));
-  ISR_CHECK(ctc(wrapped(points), params::combine(params::keep_boundaries(true),
-                                                 params::geom_traits(Archetype_traits()))) ==
-            ctc(points, params::keep_boundaries(true)));
+  ISR_CHECK(
+    ctc(wrapped(points), params::combine(params::keep_boundaries(true), params::geom_traits(Archetype_traits()))) ==
+    ctc(points, params::keep_boundaries(true)));
   ISR_CHECK(pcr(wrapped(points), params::geom_traits(Archetype_traits())) == pcr(points));
 }
 
@@ -52,8 +52,8 @@ void test_normals()
   for (const auto& p : wrapped_points)
     oriented.emplace_back(p, traits.construct_vector_3_object()(p, Archetype_traits::make_point(Point(0, 0, 0))));
   const Triples triples = ctc(oriented, params::point_map(CGAL::First_of_pair_property_map<Oriented>())
-                                               .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
-                                               .geom_traits(traits));
+                                          .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
+                                          .geom_traits(traits));
   ISR_CHECK(validation::is_oriented_manifold(points, triples, Kernel()));
   ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
   ISR_CHECK(volumes_of_components(points, triples).front() < 0.);

@@ -41,8 +41,8 @@ public:
     const Vector size = (box.max)() - (box.min)();
     const double azimuth = (size.z() <= size.x() ? 0.5 : 0.) * CGAL_PI - CGAL_PI / 6.;
     const double elevation = (size.y() < 0.6 * (std::min)(size.x(), size.z()) ? 55. : 15.) * CGAL_PI / 180.;
-    m_to_eye = Vector(std::cos(azimuth) * std::cos(elevation), std::sin(elevation),
-                      std::sin(azimuth) * std::cos(elevation));
+    m_to_eye =
+      Vector(std::cos(azimuth) * std::cos(elevation), std::sin(elevation), std::sin(azimuth) * std::cos(elevation));
     m_right = CGAL::cross_product(Vector(0, 1, 0), m_to_eye);
     m_right = m_right / std::sqrt(m_right.squared_length());
     m_up = CGAL::cross_product(m_to_eye, m_right);
@@ -138,8 +138,8 @@ public:
           for (std::size_t dy = 0; dy != OVERSAMPLING; ++dy)
             for (std::size_t dx = 0; dx != OVERSAMPLING; ++dx)
               sum += m_colors[(OVERSAMPLING * y + dy) * m_size + OVERSAMPLING * x + dx][channel];
-          out.put(static_cast<char>(static_cast<unsigned char>(
-            std::lround(255. * sum / double(OVERSAMPLING * OVERSAMPLING)))));
+          out.put(static_cast<char>(
+            static_cast<unsigned char>(std::lround(255. * sum / double(OVERSAMPLING * OVERSAMPLING)))));
         }
     if (!out)
       throw std::runtime_error(file + ": cannot be written");
@@ -173,8 +173,8 @@ private:
   double cosine(const std::vector<Point>& points, const Triangle& t) const
   {
     const auto a = m_camera(points[t[0]]), b = m_camera(points[t[1]]), c = m_camera(points[t[2]]);
-    const Vector n = CGAL::cross_product(Vector(b[0] - a[0], b[1] - a[1], b[2] - a[2]),
-                                         Vector(c[0] - a[0], c[1] - a[1], c[2] - a[2]));
+    const Vector n =
+      CGAL::cross_product(Vector(b[0] - a[0], b[1] - a[1], b[2] - a[2]), Vector(c[0] - a[0], c[1] - a[1], c[2] - a[2]));
     const double length = std::sqrt(n.squared_length());
     return length > 0. ? n.z() / length : 0.;
   }

@@ -17,11 +17,11 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
-#  include <CGAL/AABB_traits_3.h>
-#  include <CGAL/AABB_triangle_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
 #else
-#  include <CGAL/AABB_traits.h>
-#  include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 #include <cmath>

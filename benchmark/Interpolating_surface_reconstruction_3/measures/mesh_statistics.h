@@ -29,17 +29,17 @@ namespace isr_benchmark {
 struct Mesh_statistics
 {
   std::size_t triangles = 0;
-  std::size_t used_points = 0;         // distinct positions that are vertices
-  std::size_t distinct_points = 0;     // distinct positions of the input
-  std::size_t components = 0;          // sets of triangles connected through edges
+  std::size_t used_points = 0;     // distinct positions that are vertices
+  std::size_t distinct_points = 0; // distinct positions of the input
+  std::size_t components = 0;      // sets of triangles connected through edges
   std::size_t closed_components = 0;
-  std::size_t outward_components = 0;  // closed ones with positive signed volume
+  std::size_t outward_components = 0; // closed ones with positive signed volume
   std::size_t boundary_edges = 0;
   std::size_t boundary_loops = 0;
-  std::size_t nonmanifold_edges = 0;   // with more than two triangles
+  std::size_t nonmanifold_edges = 0;    // with more than two triangles
   std::size_t nonmanifold_vertices = 0; // with more than one fan of triangles
   std::size_t degenerate_triangles = 0; // collinear or with a repeated vertex
-  bool is_oriented = true;             // no edge is traversed twice in one direction
+  bool is_oriented = true;              // no edge is traversed twice in one direction
   long euler_characteristic = 0;
 
   bool is_closed() const { return triangles != 0 && boundary_edges == 0; }
@@ -103,13 +103,12 @@ private:
   {
     std::vector<std::size_t> order(m_points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t j) { return m_points[i] < m_points[j]; });
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return m_points[i] < m_points[j]; });
     std::vector<char> is_used(m_points.size(), 0);
     for (const Triangle& t : m_triangles)
       for (std::size_t v : t)
         is_used[v] = 1;
-    for (std::size_t i = 0; i != order.size(); ) {
+    for (std::size_t i = 0; i != order.size();) {
       bool any = false;
       const std::size_t first = order[i];
       for (; i != order.size() && m_points[order[i]] == m_points[first]; ++i)
@@ -131,14 +130,13 @@ private:
         else
           m_sides.push_back(Side{ { v, u }, { 3 * t + j, 3 * t + i }, true });
       }
-    std::sort(m_sides.begin(), m_sides.end(),
-              [](const Side& a, const Side& b) { return a.vertices < b.vertices; });
+    std::sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) { return a.vertices < b.vertices; });
   }
 
   template <typename Visit>
   void for_each_edge(Visit visit)
   {
-    for (std::size_t begin = 0; begin != m_sides.size(); ) {
+    for (std::size_t begin = 0; begin != m_sides.size();) {
       std::size_t end = begin + 1;
       while (end != m_sides.size() && m_sides[end].vertices == m_sides[begin].vertices)
         ++end;
@@ -206,9 +204,9 @@ private:
     std::vector<double> volumes(m_triangles.size(), 0.);
     for (std::size_t t = 0; t != m_triangles.size(); ++t) {
       const Point& origin = m_points[m_triangles[m_components.find(t)][0]];
-      volumes[m_components.find(t)] += CGAL::determinant(m_points[m_triangles[t][0]] - origin,
-                                                         m_points[m_triangles[t][1]] - origin,
-                                                         m_points[m_triangles[t][2]] - origin);
+      volumes[m_components.find(t)] +=
+        CGAL::determinant(m_points[m_triangles[t][0]] - origin, m_points[m_triangles[t][1]] - origin,
+                          m_points[m_triangles[t][2]] - origin);
     }
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
       if (m_components.find(t) == t) {
@@ -241,8 +239,7 @@ inline bool has_same_topology(const Mesh_statistics& found, const Mesh_statistic
   if (!found.is_manifold() || found.components != reference.components)
     return false;
   if (found.is_closed())
-    return found.euler_characteristic ==
-           reference.euler_characteristic + static_cast<long>(reference.boundary_loops);
+    return found.euler_characteristic == reference.euler_characteristic + static_cast<long>(reference.boundary_loops);
   return found.boundary_loops == reference.boundary_loops &&
          found.euler_characteristic == reference.euler_characteristic;
 }

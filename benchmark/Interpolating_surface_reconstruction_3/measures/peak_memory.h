@@ -49,7 +49,7 @@ public:
   static std::size_t peak()
   {
     std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word; )
+    for (std::string word; status >> word;)
       if (word == "VmHWM:") {
         std::size_t kilobytes = 0;
         status >> kilobytes;

@@ -51,10 +51,7 @@ public:
 
 private:
   const Point& point(std::size_t t, std::size_t i) const { return m_points[m_triangles[t][i % 3]]; }
-  Kernel::Triangle_3 triangle(std::size_t t) const
-  {
-    return Kernel::Triangle_3(point(t, 0), point(t, 1), point(t, 2));
-  }
+  Kernel::Triangle_3 triangle(std::size_t t) const { return Kernel::Triangle_3(point(t, 0), point(t, 1), point(t, 2)); }
 
   bool do_intersect(std::size_t s, std::size_t t) const
   {
@@ -64,8 +61,10 @@ private:
       for (std::size_t b = 0; b != 3; ++b)
         if (m_triangles[s][a] == m_triangles[t][b]) {
           ++shared;
-          i = a; j = b;
-          sum_i += a; sum_j += b;
+          i = a;
+          j = b;
+          sum_i += a;
+          sum_j += b;
         }
     if (shared == 0)
       return CGAL::do_intersect(triangle(s), triangle(t));

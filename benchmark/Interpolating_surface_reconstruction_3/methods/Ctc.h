@@ -23,14 +23,11 @@ namespace isr_benchmark {
 class Ctc : public Method
 {
 public:
-  explicit Ctc(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) {}
+  explicit Ctc(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) { }
 
   std::string key() const override { return "ctc"; }
   std::string title() const override { return "CTC"; }
-  std::string description() const override
-  {
-    return "CGAL::ctc_reconstruction() with its defaults";
-  }
+  std::string description() const override { return "CGAL::ctc_reconstruction() with its defaults"; }
   bool is_ours() const override { return true; }
   bool uses_threads() const override { return true; }
 

@@ -24,7 +24,7 @@ namespace isr_benchmark {
 class Lis : public Method
 {
 public:
-  explicit Lis(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) {}
+  explicit Lis(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) { }
 
   std::string key() const override { return "lis"; }
   std::string title() const override { return "LIS"; }
@@ -42,13 +42,11 @@ public:
     return with_threads(threads, [&](auto tag) {
       Reconstruction result;
       if (model.normals.empty()) {
-        CGAL::lis_reconstruction<decltype(tag)>(model.points, result.vertices, result.triangles,
-                                                common);
+        CGAL::lis_reconstruction<decltype(tag)>(model.points, result.vertices, result.triangles, common);
         return result;
       }
-      CGAL::lis_reconstruction<decltype(tag)>(
-          oriented_points(model), result.vertices, result.triangles,
-          CGAL::parameters::combine(common, oriented_point_parameters()));
+      CGAL::lis_reconstruction<decltype(tag)>(oriented_points(model), result.vertices, result.triangles,
+                                              CGAL::parameters::combine(common, oriented_point_parameters()));
       return result;
     });
   }

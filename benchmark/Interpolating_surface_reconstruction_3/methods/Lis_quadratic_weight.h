@@ -41,17 +41,15 @@ public:
   {
     using CGAL::Interpolating_surface_reconstruction_3::linear_implicit_isosurface;
     Reconstruction result;
-    const Function function = model.normals.empty()
-                                  ? Function(model.points)
-                                  : Function(oriented_points(model), oriented_point_parameters());
-    linear_implicit_isosurface(function, result.vertices, result.triangles, 0.,
-                               MAXIMUM_NUMBER_OF_CUBES);
+    const Function function =
+      model.normals.empty() ? Function(model.points) : Function(oriented_points(model), oriented_point_parameters());
+    linear_implicit_isosurface(function, result.vertices, result.triangles, 0., MAXIMUM_NUMBER_OF_CUBES);
     return result;
   }
 
 private:
   using Function = CGAL::Interpolating_surface_reconstruction_3::Linear_implicit_function_3<
-      Kernel, CGAL::Interpolating_surface_reconstruction_3::Quadratic_weight>;
+    Kernel, CGAL::Interpolating_surface_reconstruction_3::Quadratic_weight>;
 
   // About twice as many as the largest mesh of Table 5.1 had. Two samples close together make the
   // step so small that millions would be needed, and measuring their triangles takes minutes.

@@ -43,9 +43,9 @@ class Method
 public:
   virtual ~Method() = default;
 
-  virtual std::string key() const = 0;         // word of the command line and of file names
-  virtual std::string title() const = 0;       // column of tables
-  virtual std::string description() const = 0; // with all parameters that are not defaults
+  virtual std::string key() const = 0;           // word of the command line and of file names
+  virtual std::string title() const = 0;         // column of tables
+  virtual std::string description() const = 0;   // with all parameters that are not defaults
   virtual bool is_ours() const { return false; } // promises a manifold through the points
   virtual bool uses_threads() const { return false; }
 

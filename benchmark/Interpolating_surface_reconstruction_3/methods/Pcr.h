@@ -23,14 +23,11 @@ namespace isr_benchmark {
 class Pcr : public Method
 {
 public:
-  explicit Pcr(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) {}
+  explicit Pcr(bool keep_boundaries = false) : m_keep_boundaries(keep_boundaries) { }
 
   std::string key() const override { return "pcr"; }
   std::string title() const override { return "PCR"; }
-  std::string description() const override
-  {
-    return "CGAL::pcr_reconstruction() with its defaults";
-  }
+  std::string description() const override { return "CGAL::pcr_reconstruction() with its defaults"; }
   bool is_ours() const override { return true; }
   bool uses_threads() const override { return true; }
 

@@ -50,16 +50,15 @@ public:
       result.normal_seconds = timer.time();
     CGAL::Surface_mesh<Point> mesh;
     const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(model.points, 6);
-    if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(),
-                                                       Oriented_point_map(), Oriented_normal_map(),
-                                                       mesh, spacing))
+    if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), Oriented_point_map(),
+                                                       Oriented_normal_map(), mesh, spacing))
       throw std::runtime_error("Poisson reconstruction reports failure");
     for (const auto v : mesh.vertices())
       result.vertices.push_back(mesh.point(v));
     for (const auto f : mesh.faces()) {
       const auto h = mesh.halfedge(f);
       result.triangles.push_back(
-          Triangle{mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+        Triangle{ mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx() });
     }
     return result;
   }

@@ -36,8 +36,9 @@ public:
   Reconstruction operator()(const Model& model, std::size_t threads) const override
   {
     return with_threads(threads, [&](auto tag) {
-      using Smoother = CGAL::Scale_space_reconstruction_3::Weighted_PCA_smoother<
-        Kernel, CGAL::Default_diagonalize_traits<double, 3>, decltype(tag)>;
+      using Smoother =
+        CGAL::Scale_space_reconstruction_3::Weighted_PCA_smoother<Kernel, CGAL::Default_diagonalize_traits<double, 3>,
+                                                                  decltype(tag)>;
       using Mesher = CGAL::Scale_space_reconstruction_3::Alpha_shape_mesher<Kernel>;
       CGAL::Scale_space_surface_reconstruction_3<Kernel> reconstruction(model.points.begin(), model.points.end());
       Smoother smoother;

@@ -85,7 +85,12 @@ public:
 private:
   using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel> >;
 
-  struct Jet { double value; Eigen::Vector3d gradient; Eigen::Matrix3d hessian; };
+  struct Jet
+  {
+    double value;
+    Eigen::Vector3d gradient;
+    Eigen::Matrix3d hessian;
+  };
 
   static double value(double x, double y, double z)
   {
@@ -100,9 +105,8 @@ private:
     Jet result;
     result.value = g * g + z * z - 0.01;
     result.gradient = Eigen::Vector3d(2. * g * gx, 2. * g * gy, 2. * z);
-    result.hessian << 2. * (gx * gx + g * (2. - 12. * x * x)), 2. * gx * gy, 0.,
-                      2. * gx * gy, 2. * (gy * gy - 2. * g), 0.,
-                      0., 0., 2.;
+    result.hessian << 2. * (gx * gx + g * (2. - 12. * x * x)), 2. * gx * gy, 0., 2. * gx * gy, 2. * (gy * gy - 2. * g),
+      0., 0., 0., 2.;
     return result;
   }
 

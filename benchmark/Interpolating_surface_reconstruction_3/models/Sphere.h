@@ -26,7 +26,10 @@ namespace isr_benchmark {
 class Sphere : public Surface
 {
 public:
-  double distance(const Point& p) const override { return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.); }
+  double distance(const Point& p) const override
+  {
+    return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.);
+  }
 
   std::vector<Point> random_points(std::size_t n, CGAL::Random& random) const override
   {

@@ -31,8 +31,7 @@ public:
   // The curve and its first two derivatives.
   using Curve = std::function<std::array<Vector, 3>(double)>;
 
-  Tube(Curve curve, double radius)
-    : m_curve(std::move(curve)), m_radius(radius)
+  Tube(Curve curve, double radius) : m_curve(std::move(curve)), m_radius(radius)
   {
     for (std::size_t i = 0; i != TABLE_SIZE; ++i) {
       const auto jet = m_curve(parameter(i));

@@ -45,8 +45,8 @@ struct Model
 };
 
 // Polygons become fans. Vertices that no polygon uses are not samples of the surface.
-inline void set_surface(const std::vector<Point>& vertices,
-                        const std::vector<std::vector<std::size_t> >& polygons, Model& model)
+inline void set_surface(const std::vector<Point>& vertices, const std::vector<std::vector<std::size_t> >& polygons,
+                        Model& model)
 {
   std::vector<std::size_t> new_index(vertices.size(), vertices.size());
   for (const std::vector<std::size_t>& polygon : polygons)
@@ -59,8 +59,7 @@ inline void set_surface(const std::vector<Point>& vertices,
     }
   for (const std::vector<std::size_t>& polygon : polygons)
     for (std::size_t i = 2; i < polygon.size(); ++i)
-      model.triangles.push_back(Triangle{ new_index[polygon[0]], new_index[polygon[i - 1]],
-                                          new_index[polygon[i]] });
+      model.triangles.push_back(Triangle{ new_index[polygon[0]], new_index[polygon[i - 1]], new_index[polygon[i]] });
 }
 
 inline bool has_extension(const std::filesystem::path& path, const std::string& extension)

@@ -33,8 +33,7 @@ inline std::vector<Oriented_point> oriented_points(const Model& model)
   std::vector<Oriented_point> points;
   points.reserve(model.points.size());
   for (std::size_t i = 0; i != model.points.size(); ++i)
-    points.emplace_back(model.points[i],
-                        model.normals.empty() ? Vector(0, 0, 0) : model.normals[i]);
+    points.emplace_back(model.points[i], model.normals.empty() ? Vector(0, 0, 0) : model.normals[i]);
   return points;
 }
 

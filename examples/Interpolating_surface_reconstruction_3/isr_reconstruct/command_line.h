@@ -52,27 +52,20 @@ inline boost::program_options::options_description visible_options()
 {
   namespace po = boost::program_options;
   po::options_description options("Options");
-  options.add_options()
-    ("method", po::value<std::string>()->default_value("ctc")->value_name("NAME"),
-     ("how to reconstruct: " + method_names()).c_str())
-    ("keep-boundaries",
-     "leave loops open that the sampling shows to be boundaries of the surface")
-    ("maximum-hole-size", po::value<long long>()->value_name("N"),
-     "ctc: close only loops of at most N edges; 0 closes none (default: close all)")
-    ("grid-spacing", po::value<double>()->value_name("H"),
-     "lis: add vertices until no edge is longer than H, in the unit of the points (default: none)")
-    ("neighbor-radius", po::value<double>()->value_name("R"),
-     "connect no points farther apart than about R, in the unit of the points (default: no limit)")
-    ("ignore-normals",
-     "do not use the normals of the input, if it has any")
-    ("threads",
-     po::value<long long>()->default_value(static_cast<long long>(default_threads()))->value_name("N"),
-     "number of threads; the mesh does not depend on it")
-    ("stats", po::value<std::string>()->value_name("FILE"),
-     "write the summary to FILE as JSON")
-    ("quiet", "print no summary and no progress bar")
-    ("help", "print this text")
-    ("version", "print the version");
+  options.add_options()("method", po::value<std::string>()->default_value("ctc")->value_name("NAME"),
+                        ("how to reconstruct: " + method_names()).c_str())(
+    "keep-boundaries", "leave loops open that the sampling shows to be boundaries of the surface")(
+    "maximum-hole-size", po::value<long long>()->value_name("N"),
+    "ctc: close only loops of at most N edges; 0 closes none (default: close all)")(
+    "grid-spacing", po::value<double>()->value_name("H"),
+    "lis: add vertices until no edge is longer than H, in the unit of the points (default: none)")(
+    "neighbor-radius", po::value<double>()->value_name("R"),
+    "connect no points farther apart than about R, in the unit of the points (default: no limit)")(
+    "ignore-normals", "do not use the normals of the input, if it has any")(
+    "threads", po::value<long long>()->default_value(static_cast<long long>(default_threads()))->value_name("N"),
+    "number of threads; the mesh does not depend on it")("stats", po::value<std::string>()->value_name("FILE"),
+                                                         "write the summary to FILE as JSON")(
+    "quiet", "print no summary and no progress bar")("help", "print this text")("version", "print the version");
   return options;
 }
 
@@ -83,8 +76,7 @@ inline std::size_t to_count(const std::string& name, long long value, long long 
   return static_cast<std::size_t>(value);
 }
 
-inline Reconstruction_options
-to_reconstruction_options(const boost::program_options::variables_map& values)
+inline Reconstruction_options to_reconstruction_options(const boost::program_options::variables_map& values)
 {
   Reconstruction_options options;
   options.method = values["method"].as<std::string>();
@@ -93,8 +85,7 @@ to_reconstruction_options(const boost::program_options::variables_map& values)
   options.keep_boundaries = values.count("keep-boundaries") != 0;
   options.use_normals = values.count("ignore-normals") == 0;
   if (values.count("maximum-hole-size") != 0)
-    options.maximum_hole_size =
-      to_count("maximum-hole-size", values["maximum-hole-size"].as<long long>(), 0);
+    options.maximum_hole_size = to_count("maximum-hole-size", values["maximum-hole-size"].as<long long>(), 0);
   if (values.count("neighbor-radius") != 0)
     options.neighbor_radius = values["neighbor-radius"].as<double>();
   if (values.count("grid-spacing") != 0)
@@ -119,9 +110,13 @@ inline void print_help(std::ostream& out)
          "Connects the points of INPUT to a triangle mesh and writes it to OUTPUT. The vertices of\n"
          "the mesh are points of the input, unchanged, unless --grid-spacing adds some; edges have one or\n"
          "two triangles. Method lis needs normals, or estimates them.\n\n"
-         "INPUT   points, by extension: " << point_file_extensions() << "\n"
+         "INPUT   points, by extension: "
+      << point_file_extensions()
+      << "\n"
          "        Of a mesh the vertices are read. Normals in the input orient the surface.\n"
-         "OUTPUT  a mesh, by extension: " << mesh_file_extensions() << "\n"
+         "OUTPUT  a mesh, by extension: "
+      << mesh_file_extensions()
+      << "\n"
          "        .ply gets the normals, the colors and all other numbers that a .ply input has at\n"
          "        its vertices; .off gets the normals and colors. .stl rounds the coordinates.\n\n"
       << internal::visible_options()

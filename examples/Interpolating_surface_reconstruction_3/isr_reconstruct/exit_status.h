@@ -25,9 +25,7 @@ enum Exit_status : int
 class Failure : public std::runtime_error
 {
 public:
-  Failure(Exit_status status, const std::string& message)
-    : std::runtime_error(message), m_status(status)
-  { }
+  Failure(Exit_status status, const std::string& message) : std::runtime_error(message), m_status(status) { }
 
   Exit_status status() const { return m_status; }
 

@@ -11,7 +11,7 @@ namespace isr {
 
 namespace internal {
 
-inline std::atomic<bool> interrupted{false};
+inline std::atomic<bool> interrupted{ false };
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 extern "C" inline void on_interruption(int) { interrupted.store(true); }
@@ -43,15 +43,9 @@ inline void throw_if_interrupted()
 class Interruptible_filebuf : public std::filebuf
 {
 protected:
-  int_type underflow() override
-  {
-    return is_interrupted() ? traits_type::eof() : std::filebuf::underflow();
-  }
+  int_type underflow() override { return is_interrupted() ? traits_type::eof() : std::filebuf::underflow(); }
 
-  int_type overflow(int_type c) override
-  {
-    return is_interrupted() ? traits_type::eof() : std::filebuf::overflow(c);
-  }
+  int_type overflow(int_type c) override { return is_interrupted() ? traits_type::eof() : std::filebuf::overflow(c); }
 };
 
 } // namespace isr

@@ -33,10 +33,7 @@ inline bool write_off(std::ostream& out, Mesh& mesh)
   return CGAL::IO::write_OFF(out, mesh);
 }
 
-inline bool write_obj(std::ostream& out, Mesh& mesh)
-{
-  return CGAL::IO::write_OBJ(out, mesh);
-}
+inline bool write_obj(std::ostream& out, Mesh& mesh) { return CGAL::IO::write_OBJ(out, mesh); }
 
 inline bool write_stl(std::ostream& out, Mesh& mesh)
 {
@@ -67,8 +64,8 @@ inline std::string mesh_file_extensions()
 inline void check_mesh_file_extension(const std::filesystem::path& path)
 {
   if (internal::writers().count(file_extension(path)) == 0)
-    throw Failure(UNKNOWN_EXTENSION, "cannot write '" + path.string() +
-                                     "': its extension is none of " + mesh_file_extensions());
+    throw Failure(UNKNOWN_EXTENSION,
+                  "cannot write '" + path.string() + "': its extension is none of " + mesh_file_extensions());
 }
 
 // Writes the mesh in the format that the extension of the file names.

@@ -95,8 +95,7 @@ struct Lis
 };
 
 template <typename Method, typename NamedParameters>
-bool run_on_threads(const Point_set& points, Mesh& mesh, std::size_t threads,
-                    const NamedParameters& np)
+bool run_on_threads(const Point_set& points, Mesh& mesh, std::size_t threads, const NamedParameters& np)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads > 1) {
@@ -110,37 +109,32 @@ bool run_on_threads(const Point_set& points, Mesh& mesh, std::size_t threads,
 }
 
 template <typename Method>
-bool run(const Point_set& points, Mesh& mesh, const Reconstruction_options& options,
-         Point_counter& counter, const Callback& callback)
+bool run(const Point_set& points, Mesh& mesh, const Reconstruction_options& options, Point_counter& counter,
+         const Callback& callback)
 {
   namespace parameters = CGAL::parameters;
 
-  const auto np = parameters::combine(Method::parameters(options),
-                                      parameters::keep_boundaries(options.keep_boundaries),
+  const auto np = parameters::combine(Method::parameters(options), parameters::keep_boundaries(options.keep_boundaries),
                                       parameters::point_map(points.point_map())
                                         .neighbor_radius(options.neighbor_radius)
                                         .callback(callback)
                                         .visitor(std::ref(counter)));
   if (options.use_normals && points.has_normal_map())
-    return run_on_threads<Method>(
-      points, mesh, options.threads,
-      parameters::combine(np, parameters::normal_map(points.normal_map())));
+    return run_on_threads<Method>(points, mesh, options.threads,
+                                  parameters::combine(np, parameters::normal_map(points.normal_map())));
   return run_on_threads<Method>(points, mesh, options.threads, np);
 }
 
-using Method = bool (*)(const Point_set&, Mesh&, const Reconstruction_options&, Point_counter&,
-                        const Callback&);
+using Method = bool (*)(const Point_set&, Mesh&, const Reconstruction_options&, Point_counter&, const Callback&);
 
 } // namespace internal
 
 // The methods by the name that --method takes.
 inline const std::map<std::string, internal::Method>& methods()
 {
-  static const std::map<std::string, internal::Method> all = {
-    { "ctc", internal::run<internal::Ctc> },
-    { "pcr", internal::run<internal::Pcr> },
-    { "lis", internal::run<internal::Lis> }
-  };
+  static const std::map<std::string, internal::Method> all = { { "ctc", internal::run<internal::Ctc> },
+                                                               { "pcr", internal::run<internal::Pcr> },
+                                                               { "lis", internal::run<internal::Lis> } };
   return all;
 }
 

@@ -63,8 +63,7 @@ public:
     std::error_code error;
     std::filesystem::rename(m_temporary, m_path, error);
     if (error)
-      throw Failure(UNWRITABLE_OUTPUT,
-                    "cannot write '" + m_path.string() + "': " + error.message());
+      throw Failure(UNWRITABLE_OUTPUT, "cannot write '" + m_path.string() + "': " + error.message());
     m_committed = true;
   }
 

@@ -47,10 +47,8 @@ inline void check_ply_header(std::istream& in)
   };
   if (!are_float("x", "y", "z") && !are_double("x", "y", "z"))
     throw Failure(BROKEN_INPUT, "the PLY vertices have no x, y, z of one type, float or double");
-  const bool has_normals = vertex_types.count("nx") + vertex_types.count("ny") +
-                           vertex_types.count("nz") == 3;
-  if (has_normals && !are_float("nx", "ny", "nz") &&
-      !(are_double("nx", "ny", "nz") && is_double("x")))
+  const bool has_normals = vertex_types.count("nx") + vertex_types.count("ny") + vertex_types.count("nz") == 3;
+  if (has_normals && !are_float("nx", "ny", "nz") && !(are_double("nx", "ny", "nz") && is_double("x")))
     throw Failure(BROKEN_INPUT, "the PLY normals are not of the type of the coordinates");
 
   in.clear();

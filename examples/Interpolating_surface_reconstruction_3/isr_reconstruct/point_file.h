@@ -50,10 +50,7 @@ private:
   std::streambuf* m_previous;
 };
 
-inline bool read_xyz(std::istream& in, Point_set& points)
-{
-  return CGAL::IO::read_XYZ(in, points);
-}
+inline bool read_xyz(std::istream& in, Point_set& points) { return CGAL::IO::read_XYZ(in, points); }
 
 inline bool read_ply(std::istream& in, Point_set& points)
 {
@@ -84,8 +81,7 @@ inline bool read_off(std::istream& in, Point_set& points)
   if (!CGAL::IO::read_OFF(in, points))
     return false;
   if (points.size() != announced)
-    throw Failure(BROKEN_INPUT, std::to_string(points.size()) + " of " +
-                                std::to_string(announced) + " points found");
+    throw Failure(BROKEN_INPUT, std::to_string(points.size()) + " of " + std::to_string(announced) + " points found");
   return true;
 }
 
@@ -103,10 +99,7 @@ inline bool read_obj(std::istream& in, Point_set& points)
 }
 
 #ifdef CGAL_LINKED_WITH_LASLIB
-inline bool read_las(std::istream& in, Point_set& points)
-{
-  return CGAL::IO::read_LAS(in, points);
-}
+inline bool read_las(std::istream& in, Point_set& points) { return CGAL::IO::read_LAS(in, points); }
 #endif
 
 using Reader = bool (*)(std::istream&, Point_set&);
@@ -114,8 +107,7 @@ using Reader = bool (*)(std::istream&, Point_set&);
 inline const std::map<std::string, Reader>& readers()
 {
   static const std::map<std::string, Reader> all = {
-    { ".ply", read_ply }, { ".xyz", read_xyz }, { ".pwn", read_xyz },
-    { ".off", read_off }, { ".obj", read_obj },
+    { ".ply", read_ply }, { ".xyz", read_xyz }, { ".pwn", read_xyz }, { ".off", read_off }, { ".obj", read_obj },
 #ifdef CGAL_LINKED_WITH_LASLIB
     { ".las", read_las },
 #endif
@@ -136,8 +128,8 @@ inline std::string point_file_extensions()
 inline void check_point_file_extension(const std::filesystem::path& path)
 {
   if (internal::readers().count(file_extension(path)) == 0)
-    throw Failure(UNKNOWN_EXTENSION, "cannot read '" + path.string() +
-                                     "': its extension is none of " + point_file_extensions());
+    throw Failure(UNKNOWN_EXTENSION,
+                  "cannot read '" + path.string() + "': its extension is none of " + point_file_extensions());
 }
 
 // Reads the points of a file of any known extension, with normals and PLY properties.
@@ -170,8 +162,7 @@ inline Point_set read_points(const std::filesystem::path& path)
   }
   throw_if_interrupted();
   if (!is_complete)
-    throw Failure(BROKEN_INPUT, begin_of_message + (reason.empty() ? "the file is broken or incomplete"
-                                                                   : reason));
+    throw Failure(BROKEN_INPUT, begin_of_message + (reason.empty() ? "the file is broken or incomplete" : reason));
   if (points.empty())
     throw Failure(EMPTY_INPUT, begin_of_message + "the file has no points");
   return points;

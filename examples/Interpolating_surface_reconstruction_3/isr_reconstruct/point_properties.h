@@ -33,8 +33,8 @@ inline std::vector<std::size_t> take_input_indices(Mesh& mesh)
 // Copies the property `name` of the points if its type is T. The bare name, without CGAL's "v:",
 // cannot meet one of the mesh's own properties, and is the name in a PLY file.
 template <typename T>
-void copy_property(Point_set& points, const std::string& name,
-                   const std::vector<std::size_t>& input_indices, Mesh& mesh)
+void copy_property(Point_set& points, const std::string& name, const std::vector<std::size_t>& input_indices,
+                   Mesh& mesh)
 {
   auto source = points.add_property_map<T>(name);
   if (source.second) {
@@ -47,8 +47,7 @@ void copy_property(Point_set& points, const std::string& name,
       target[v] = source.first[*(points.begin() + static_cast<std::ptrdiff_t>(input_indices[v]))];
 }
 
-inline void copy_normals(const Point_set& points, const std::vector<std::size_t>& input_indices,
-                         Mesh& mesh)
+inline void copy_normals(const Point_set& points, const std::vector<std::size_t>& input_indices, Mesh& mesh)
 {
   if (!points.has_normal_map())
     return;

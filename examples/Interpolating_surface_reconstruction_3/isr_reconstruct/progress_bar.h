@@ -13,9 +13,7 @@ namespace isr {
 class Progress_bar
 {
 public:
-  explicit Progress_bar(bool is_wanted)
-    : m_is_shown(is_wanted && isatty(STDERR_FILENO) == 1)
-  { }
+  explicit Progress_bar(bool is_wanted) : m_is_shown(is_wanted && isatty(STDERR_FILENO) == 1) { }
 
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
@@ -33,8 +31,8 @@ public:
       return;
     m_percent = percent;
     const std::size_t filled = static_cast<std::size_t>(fraction * static_cast<double>(WIDTH));
-    std::cerr << "\r[" << std::string(filled, '#') << std::string(WIDTH - filled, ' ') << "] "
-              << percent << " %" << std::flush;
+    std::cerr << "\r[" << std::string(filled, '#') << std::string(WIDTH - filled, ' ') << "] " << percent << " %"
+              << std::flush;
   }
 
 private:

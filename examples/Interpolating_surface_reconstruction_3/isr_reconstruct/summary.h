@@ -102,8 +102,7 @@ public:
   void print(std::ostream& out) const
   {
     for (const Entry& entry : m_entries)
-      out << entry.label << ": " << std::string(LABEL_WIDTH - entry.label.size(), ' ')
-          << entry.value << '\n';
+      out << entry.label << ": " << std::string(LABEL_WIDTH - entry.label.size(), ' ') << entry.value << '\n';
     out.flush();
   }
 
@@ -112,8 +111,7 @@ public:
     out << "{\n";
     for (std::size_t i = 0; i != m_entries.size(); ++i) {
       const Entry& entry = m_entries[i];
-      out << "  " << quoted(entry.key) << ": "
-          << (entry.is_text ? quoted(entry.value) : entry.value)
+      out << "  " << quoted(entry.key) << ": " << (entry.is_text ? quoted(entry.value) : entry.value)
           << (i + 1 == m_entries.size() ? "\n" : ",\n");
     }
     out << "}\n";
@@ -148,9 +146,8 @@ private:
   std::vector<Entry> m_entries;
 };
 
-inline Summary summarize(const std::string& input, const std::string& output,
-                         const Reconstruction_options& options, const Point_set& points,
-                         const Point_counter& counter, const Mesh& mesh, double seconds)
+inline Summary summarize(const std::string& input, const std::string& output, const Reconstruction_options& options,
+                         const Point_set& points, const Point_counter& counter, const Mesh& mesh, double seconds)
 {
   const Mesh_counts counts = count(mesh);
   Summary summary;
@@ -170,8 +167,7 @@ inline Summary summarize(const std::string& input, const std::string& output,
   summary.add_number("euler_characteristic", "Euler characteristic", counts.euler_characteristic);
   summary.add_number("seconds", "seconds", seconds);
   summary.add_number("points_per_second", "points per second",
-                     seconds > 0. ? static_cast<std::size_t>(static_cast<double>(points.size()) / seconds)
-                                  : 0);
+                     seconds > 0. ? static_cast<std::size_t>(static_cast<double>(points.size()) / seconds) : 0);
   summary.add_number("peak_memory_bytes", "peak memory, bytes", peak_memory_in_bytes());
   return summary;
 }

@@ -27,15 +27,15 @@ The stages of a reconstruction, in the order in which they run.
 */
 enum class Stage
 {
-  INDEXING,       ///< copying, sorting and indexing the points
-  STARS,          ///< a star of triangles at every point, from its neighbors
-  COMPATIBILITY,  ///< triangles on which the stars agree
-  GROWING,        ///< growth of the surface from its most planar stars, by `pcr_reconstruction()`
-  COMPLETION,     ///< closing of planar loops, completion of the surface where the stars conflict
-  HOLES,          ///< closing of loops, dissolving of islands, insertion of points left over
-  ORIENTATION,    ///< consistent orientation, outward for closed components
-  FUNCTION,       ///< the implicit function of `lis_reconstruction()`
-  ISOSURFACE      ///< the surface of the implicit function
+  INDEXING,      ///< copying, sorting and indexing the points
+  STARS,         ///< a star of triangles at every point, from its neighbors
+  COMPATIBILITY, ///< triangles on which the stars agree
+  GROWING,       ///< growth of the surface from its most planar stars, by `pcr_reconstruction()`
+  COMPLETION,    ///< closing of planar loops, completion of the surface where the stars conflict
+  HOLES,         ///< closing of loops, dissolving of islands, insertion of points left over
+  ORIENTATION,   ///< consistent orientation, outward for closed components
+  FUNCTION,      ///< the implicit function of `lis_reconstruction()`
+  ISOSURFACE     ///< the surface of the implicit function
 };
 
 /*!

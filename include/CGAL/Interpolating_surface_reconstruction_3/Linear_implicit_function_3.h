@@ -122,10 +122,10 @@ public:
                                       const Weight& weight = Weight())
     : m_weight(weight)
   {
-    static_assert(internal::Only_allowed<NamedParameters, internal_np::point_t, internal_np::normal_t,
-                                         internal_np::geom_traits_t, internal_np::neighbor_radius_t,
-                                         internal_np::star_construction_t>::value,
-                  "a named parameter is not known to this function");
+    static_assert(
+      internal::Only_allowed<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
+                             internal_np::neighbor_radius_t, internal_np::star_construction_t>::value,
+      "a named parameter is not known to this function");
     using Types = internal::Call_types<PointRange, NamedParameters>;
     const double neighbor_radius = internal::checked_neighbor_radius(
       CGAL::to_double(parameters::choose_parameter(parameters::get_parameter(np, internal_np::neighbor_radius), 0.)));
@@ -135,7 +135,8 @@ public:
     auto cloud = internal::read_samples<Types>(points, np, traits);
     std::vector<internal::Local_vector> normals = internal::read_sample_normals<Types>(points, np, cloud);
     if (normals.empty())
-      normals = internal::chart_normals<Sequential_tag>(cloud, construction, neighbor_radius, [](double) { return true; });
+      normals =
+        internal::chart_normals<Sequential_tag>(cloud, construction, neighbor_radius, [](double) { return true; });
     m_data = std::make_shared<const Data>(std::move(cloud), normals, construction, neighbor_radius);
   }
 
@@ -190,7 +191,8 @@ private:
   struct Data
   {
     template <typename StarConstruction>
-    Data(Cloud samples, const std::vector<internal::Local_vector>& normals, const StarConstruction& construction, double neighbor_radius)
+    Data(Cloud samples, const std::vector<internal::Local_vector>& normals, const StarConstruction& construction,
+         double neighbor_radius)
       : cloud(std::move(samples)), pieces(cloud.positions(), normals, radii(cloud, construction, neighbor_radius))
     {
       for (internal::Point_index p = 0; p != cloud.size(); ++p)
@@ -205,9 +207,10 @@ private:
       Default_visitor visitor;
       internal::Progress<Default_visitor> progress(std::function<bool(double)>(), visitor);
       const internal::Point_octree_3 octree(cloud.positions());
-      const double maximum = neighbor_radius > 0. ? cloud.local_length(neighbor_radius) : std::numeric_limits<double>::infinity();
-      return internal::star_radii(
-        cloud.positions(), internal::construct_stars<Sequential_tag>(cloud.positions(), octree, construction, maximum, progress));
+      const double maximum =
+        neighbor_radius > 0. ? cloud.local_length(neighbor_radius) : std::numeric_limits<double>::infinity();
+      return internal::star_radii(cloud.positions(), internal::construct_stars<Sequential_tag>(
+                                                       cloud.positions(), octree, construction, maximum, progress));
     }
 
     const Cloud cloud;

@@ -61,7 +61,8 @@ private:
 Neighborhood category of a star construction that asks for the nearest neighbors, and for more of
 them as long as its star is not certain.
 */
-struct Nearest_neighborhood_tag { };
+struct Nearest_neighborhood_tag
+{ };
 
 /*!
 \ingroup PkgInterpolatingSurfaceReconstruction3Ref
@@ -69,7 +70,8 @@ struct Nearest_neighborhood_tag { };
 Neighborhood category of a star construction that takes all points of the octree leaves around the
 point whose enlarged boxes overlap (thesis 4.3.2).
 */
-struct Box_neighborhood_tag { };
+struct Box_neighborhood_tag
+{ };
 
 /*!
 \ingroup PkgInterpolatingSurfaceReconstruction3Ref

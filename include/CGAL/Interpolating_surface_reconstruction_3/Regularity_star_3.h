@@ -207,8 +207,7 @@ private:
       if (!is_candidate(i, end, subspace))
         continue;
       const double d = distance_to_edge(end, i);
-      if (d > farthest && d < distance &&
-          regularity(CENTER, m_neighbors[end], m_neighbors[i]) > LEAST_REGULARITY) {
+      if (d > farthest && d < distance && regularity(CENTER, m_neighbors[end], m_neighbors[i]) > LEAST_REGULARITY) {
         farthest = d;
         result = i;
       }
@@ -219,8 +218,7 @@ private:
   // The sum of distances in Eq. 3.13.
   double distance_to_edge(Neighbor end, Neighbor i) const
   {
-    return std::sqrt(m_neighbors[i].squared_length()) +
-           std::sqrt((m_neighbors[i] - m_neighbors[end]).squared_length());
+    return std::sqrt(m_neighbors[i].squared_length()) + std::sqrt((m_neighbors[i] - m_neighbors[end]).squared_length());
   }
 
   // Whether the closer point p2 replaces pk. If only one of them projects into the triangle of the

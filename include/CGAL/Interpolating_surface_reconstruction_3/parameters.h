@@ -24,9 +24,18 @@ namespace CGAL {
 // functions are added next to it; combine() stands in for chaining with a dot.
 namespace internal_np {
 
-enum maximum_hole_size_t { maximum_hole_size };
-enum keep_boundaries_t { keep_boundaries };
-enum star_construction_t { star_construction };
+enum maximum_hole_size_t
+{
+  maximum_hole_size
+};
+enum keep_boundaries_t
+{
+  keep_boundaries
+};
+enum star_construction_t
+{
+  star_construction
+};
 
 } // namespace internal_np
 
@@ -103,8 +112,7 @@ NP combine(const NP& np)
 template <typename NP0, typename NP1, typename... NPs>
 auto combine(const NP0& np0, const NP1& np1, const NPs&... nps)
 {
-  return parameters::combine(
-    Interpolating_surface_reconstruction_3::internal::append(np0, np1), nps...);
+  return parameters::combine(Interpolating_surface_reconstruction_3::internal::append(np0, np1), nps...);
 }
 
 } // namespace parameters

@@ -85,7 +85,8 @@ bool triangles_to_surface_mesh(const PointRange& points, const TriangleRange& tr
       input_index[v] = i;
     }
   for (const auto& t : triangles)
-    if (result.add_face(Vertex(typename Mesh::size_type(vertex_of[t[0]])), Vertex(typename Mesh::size_type(vertex_of[t[1]])),
+    if (result.add_face(Vertex(typename Mesh::size_type(vertex_of[t[0]])),
+                        Vertex(typename Mesh::size_type(vertex_of[t[1]])),
                         Vertex(typename Mesh::size_type(vertex_of[t[2]]))) == Mesh::null_face())
       return false;
   mesh = std::move(result);

@@ -17,14 +17,15 @@
 
 #ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_COMMERCIAL_LICENSE
 
-#  if defined(CGAL_LICENSE_WARNING)
-     CGAL_pragma_warning("\nThe macro CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_COMMERCIAL_LICENSE is not defined."
-                         "\nYou use the Interpolating Surface Reconstruction package under the terms of the GPLv3+.")
-#  endif
+#if defined(CGAL_LICENSE_WARNING)
+CGAL_pragma_warning("\nThe macro CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_COMMERCIAL_LICENSE is not defined."
+                    "\nYou use the Interpolating Surface Reconstruction package under the terms of the GPLv3+.")
+#endif
 
-#  ifdef CGAL_LICENSE_ERROR
-#    error "The macro CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_COMMERCIAL_LICENSE is not defined. You use the Interpolating Surface Reconstruction package under the terms of the GPLv3+."
-#  endif
+#ifdef CGAL_LICENSE_ERROR
+#error                                                                                                                 \
+  "The macro CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_COMMERCIAL_LICENSE is not defined. You use the Interpolating Surface Reconstruction package under the terms of the GPLv3+."
+#endif
 
 #endif
 

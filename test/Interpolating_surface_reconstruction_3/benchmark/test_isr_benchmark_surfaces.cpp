@@ -66,11 +66,13 @@ int main()
   assert(box.distance(Point(0.5, 0.5, 1.25)) == 0.25);
   // known areas: a sphere, and a tube by the length of its center curve
   assert(std::abs(Sphere().area() - 4. * CGAL_PI) < 1e-12);
-  const Tube torus([](double t) {
-    return std::array<Vector, 3>{ Vector(2. * std::cos(t), 2. * std::sin(t), 0.),
-                                  Vector(-2. * std::sin(t), 2. * std::cos(t), 0.),
-                                  Vector(-2. * std::cos(t), -2. * std::sin(t), 0.) };
-  }, 0.5);
+  const Tube torus(
+    [](double t) {
+      return std::array<Vector, 3>{ Vector(2. * std::cos(t), 2. * std::sin(t), 0.),
+                                    Vector(-2. * std::sin(t), 2. * std::cos(t), 0.),
+                                    Vector(-2. * std::cos(t), -2. * std::sin(t), 0.) };
+    },
+    0.5);
   assert(std::abs(torus.area() - 4. * CGAL_PI * CGAL_PI) < 1e-9);
   assert(std::abs(torus.distance(Point(3., 0., 0.)) - 0.5) < 1e-12);
   check(torus, 0.3);

@@ -21,13 +21,20 @@ double read(std::istream& in)
 
 double read(std::istream& in, const std::string& type)
 {
-  if (type == "char") return read<std::int8_t>(in);
-  if (type == "uchar") return read<std::uint8_t>(in);
-  if (type == "short") return read<std::int16_t>(in);
-  if (type == "ushort") return read<std::uint16_t>(in);
-  if (type == "int") return read<std::int32_t>(in);
-  if (type == "uint") return read<std::uint32_t>(in);
-  if (type == "float") return read<float>(in);
+  if (type == "char")
+    return read<std::int8_t>(in);
+  if (type == "uchar")
+    return read<std::uint8_t>(in);
+  if (type == "short")
+    return read<std::int16_t>(in);
+  if (type == "ushort")
+    return read<std::uint16_t>(in);
+  if (type == "int")
+    return read<std::int32_t>(in);
+  if (type == "uint")
+    return read<std::uint32_t>(in);
+  if (type == "float")
+    return read<float>(in);
   return read<double>(in);
 }
 

@@ -31,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   isr_test::Counting_visitor visitor;
   isr_test::Triples triples;
   CGAL::ctc_reconstruction(points, std::back_inserter(triples),
-                           params::combine(params::keep_boundaries(keeps_boundaries), params::maximum_hole_size(maximum_hole_size),
+                           params::combine(params::keep_boundaries(keeps_boundaries),
+                                           params::maximum_hole_size(maximum_hole_size),
                                            params::neighbor_radius(neighbor_radius).visitor(std::ref(visitor))));
   ISR_FUZZ_REQUIRE(validation::is_oriented_manifold(points, triples, isr_test::Kernel()));
   ISR_FUZZ_REQUIRE(validation::used_points(triples).size() + visitor.unused + visitor.duplicates + visitor.non_finite ==

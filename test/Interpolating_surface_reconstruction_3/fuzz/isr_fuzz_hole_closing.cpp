@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Hand_surface surface(points, links);
   change(surface, in, points.size(), 200);
 
-  const auto ignore = [](const Builder::Triangle&, isr_test::Triangle_verdict) { };
+  const auto ignore = [](const Builder::Triangle&, isr_test::Triangle_verdict) {};
   const auto& positions = surface.cloud.positions();
   isr_test::isr_internal::Hole_closing<Builder> close(positions, surface.builder, maximum_size);
   close.close_planar_loops(isr_test::no_progress, ignore);

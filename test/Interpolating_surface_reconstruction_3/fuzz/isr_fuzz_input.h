@@ -65,7 +65,10 @@ inline Points read_points(Byte_stream& in, std::size_t maximum_size)
 {
   const std::size_t kind = in.below(4);
   const auto coordinate = [&] {
-    return kind == 0 ? in.small() : kind == 1 ? in.nudged() : kind == 2 ? in.any() : std::ldexp(in.small(), int(in.byte()) * 8 - 1020);
+    return kind == 0   ? in.small()
+           : kind == 1 ? in.nudged()
+           : kind == 2 ? in.any()
+                       : std::ldexp(in.small(), int(in.byte()) * 8 - 1020);
   };
   Points points;
   while (!in.is_at_end() && points.size() != maximum_size) {

@@ -33,7 +33,8 @@ inline Links read_links(Byte_stream& in, std::size_t number_of_points)
     for (std::size_t size = in.below(8); size != 0; --size) {
       const std::size_t q = in.below(number_of_points + 1);
       const isr_test::Point_index neighbor = q == number_of_points ? isr_test::NO_POINT : isr_test::Point_index(q);
-      if (q != p && (neighbor == isr_test::NO_POINT || std::find(links[p].begin(), links[p].end(), neighbor) == links[p].end()))
+      if (q != p &&
+          (neighbor == isr_test::NO_POINT || std::find(links[p].begin(), links[p].end(), neighbor) == links[p].end()))
         links[p].push_back(neighbor);
     }
   return links;

@@ -12,8 +12,8 @@ int main()
 {
   using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  const std::vector<Point_3> octahedron = { Point_3(1, 0, 0), Point_3(-1, 0, 0), Point_3(0, 1, 0),
-                                            Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1) };
+  const std::vector<Point_3> octahedron = { Point_3(1, 0, 0),  Point_3(-1, 0, 0), Point_3(0, 1, 0),
+                                            Point_3(0, -1, 0), Point_3(0, 0, 1),  Point_3(0, 0, -1) };
   std::vector<std::array<std::size_t, 3> > triangles;
   CGAL::ctc_reconstruction<CGAL::Parallel_if_available_tag>(octahedron, std::back_inserter(triangles));
 

@@ -33,9 +33,9 @@ constexpr std::size_t NO_POLE = std::size_t(-1);
 
 struct Poles
 {
-  std::vector<Kernel::Weighted_point_3> balls;        // around the poles, through their samples
-  std::vector<std::array<std::size_t, 2> > of_point;  // balls of the two poles of a sample, or NO_POLE
-  std::vector<std::size_t> outer;                     // balls that are outside for sure
+  std::vector<Kernel::Weighted_point_3> balls;       // around the poles, through their samples
+  std::vector<std::array<std::size_t, 2> > of_point; // balls of the two poles of a sample, or NO_POLE
+  std::vector<std::size_t> outer;                    // balls that are outside for sure
 };
 
 // The poles of a sample: the farthest vertex of its Voronoi cell, and the farthest one on the other
@@ -62,11 +62,17 @@ public:
   }
 
 private:
-  struct Cell_info { bool has_center = false; Point center; std::size_t ball = NO_POLE; };
+  struct Cell_info
+  {
+    bool has_center = false;
+    Point center;
+    std::size_t ball = NO_POLE;
+  };
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel>;
   using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<Cell_info, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel> >;
-  using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> >;
+  using Delaunay =
+    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> >;
   using Vertex_handle = Delaunay::Vertex_handle;
   using Cell_handle = Delaunay::Cell_handle;
 

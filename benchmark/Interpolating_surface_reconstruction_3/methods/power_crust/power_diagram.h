@@ -64,11 +64,14 @@ public:
   }
 
 private:
-  struct Cell_info { std::size_t vertex = std::size_t(-1); };
+  struct Cell_info
+  {
+    std::size_t vertex = std::size_t(-1);
+  };
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel,
                                                                   CGAL::Regular_triangulation_vertex_base_3<Kernel> >;
-  using Cell_base = CGAL::Triangulation_cell_base_with_info_3<Cell_info, Kernel,
-                                                              CGAL::Regular_triangulation_cell_base_3<Kernel> >;
+  using Cell_base =
+    CGAL::Triangulation_cell_base_with_info_3<Cell_info, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel> >;
   using Triangulation =
     CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base> >;
   using Vertex_handle = Triangulation::Vertex_handle;

@@ -36,8 +36,7 @@ class Box_neighborhoods
 {
 public:
   // No point farther than `maximum_radius` is a neighbor.
-  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree,
-                    double maximum_radius)
+  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
     : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius)
   { }
 
@@ -47,8 +46,7 @@ public:
   // Calls visit(p, neighborhood) once for each point p of the leaf, with its neighbors or with the
   // `maximum_size` nearest of them. Asking for more has no effect: the boxes decide.
   template <typename Visit>
-  void for_each_point(const Point_octree_3::Node& leaf, std::size_t /* size */,
-                      std::size_t maximum_size, Visit visit)
+  void for_each_point(const Point_octree_3::Node& leaf, std::size_t /* size */, std::size_t maximum_size, Visit visit)
   {
     gather(leaf);
     for (Point_index p = leaf.begin; p != leaf.end; ++p) {
@@ -97,8 +95,7 @@ private:
       squared_to_box += to_box * to_box;
       squared_to_cell += to_cell * to_cell;
     }
-    return Local_box{ center, center }.enlarged(
-        2. * std::sqrt((std::max)(squared_to_box, squared_to_cell)));
+    return Local_box{ center, center }.enlarged(2. * std::sqrt((std::max)(squared_to_box, squared_to_cell)));
   }
 
   // Points of the leaf and of its neighbors.
@@ -138,8 +135,7 @@ private:
         m_neighbors.push_back(Neighbor{ squared_distance, i });
     }
     if (m_neighbors.size() > maximum_size) {
-      std::nth_element(m_neighbors.begin(), m_neighbors.begin() + std::ptrdiff_t(maximum_size),
-                       m_neighbors.end());
+      std::nth_element(m_neighbors.begin(), m_neighbors.begin() + std::ptrdiff_t(maximum_size), m_neighbors.end());
       m_neighbors.resize(maximum_size);
     }
     std::sort(m_neighbors.begin(), m_neighbors.end());

@@ -127,12 +127,14 @@ private:
 
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = Triangulation_vertex_base_with_info_3<Point_index, Kernel>;
-  using Cell_base = Triangulation_cell_base_with_info_3<Cell_index, Kernel, Delaunay_triangulation_cell_base_3<Kernel> >;
+  using Cell_base =
+    Triangulation_cell_base_with_info_3<Cell_index, Kernel, Delaunay_triangulation_cell_base_3<Kernel> >;
   using Delaunay = Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vertex_base, Cell_base> >;
 
   // CGAL keeps a static table while it replaces the cells of a small hole, which an exception would leave
   // broken for the next triangulation: memory for the new cells is made sure of before.
-  static Delaunay::Vertex_handle insert(Delaunay& delaunay, const Local_point& p, Point_index index, Delaunay::Vertex_handle hint)
+  static Delaunay::Vertex_handle insert(Delaunay& delaunay, const Local_point& p, Point_index index,
+                                        Delaunay::Vertex_handle hint)
   {
     auto& cells = delaunay.tds().cells();
     if (cells.capacity() - cells.size() < CELLS_OF_SMALL_HOLE)
@@ -172,7 +174,8 @@ private:
   // The cells in lexicographic order of their increasing vertices: those with the same smallest
   // vertex are few.
   template <typename Cancellation_point>
-  std::vector<Delaunay::Cell_handle> sorted_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point) const
+  std::vector<Delaunay::Cell_handle> sorted_cells(const Delaunay& delaunay,
+                                                  Cancellation_point& cancellation_point) const
   {
     const auto key = [&](Delaunay::Cell_handle cell) {
       std::array<Point_index, 4> result = vertices_of(delaunay, cell);
@@ -199,7 +202,8 @@ private:
         cancellation_point();
         bucket.emplace_back(key(result[c]), result[c]);
       }
-      std::sort(bucket.begin(), bucket.end(), [](const Keyed_cell& a, const Keyed_cell& b) { return a.first < b.first; });
+      std::sort(bucket.begin(), bucket.end(),
+                [](const Keyed_cell& a, const Keyed_cell& b) { return a.first < b.first; });
       for (std::size_t c = begin; c != next[k]; ++c)
         result[c] = bucket[c - begin].second;
     }

@@ -49,7 +49,8 @@ public:
   // its other side: all facets of a part have the same label on the same side.
   // `cancellation_point()` is called again and again and may throw.
   template <typename Weight, typename Chart, typename Cancellation_point>
-  Cell_labelling(const Cell_complex& cells, const Weight& weight, const Chart& chart, Cancellation_point&& cancellation_point)
+  Cell_labelling(const Cell_complex& cells, const Weight& weight, const Chart& chart,
+                 Cancellation_point&& cancellation_point)
     : m_cells(cells), m_labels(cells.size(), 0), m_costs(cells.size()), m_preferences(cells.size(), 0.)
   {
     Parity_union_find sides(cells.size());
@@ -78,7 +79,8 @@ public:
 
   template <typename Weight>
   Cell_labelling(const Cell_complex& cells, const Weight& weight)
-    : Cell_labelling(cells, weight, [](Cell_index, std::size_t) { return std::optional<Oriented_root>(); }, No_cancellation())
+    : Cell_labelling(
+        cells, weight, [](Cell_index, std::size_t) { return std::optional<Oriented_root>(); }, No_cancellation())
   { }
 
   bool label(Cell_index c) const { return m_labels[c] != 0; }
@@ -88,7 +90,10 @@ public:
   double weight(Cell_index c, std::size_t i) const { return -(m_costs[c][i].if_set + m_costs[c][i].if_clear) / 2.; }
 
   // What a facet costs between different labels: if its cell has the label, or if its neighbor has it.
-  struct Cost { double if_set, if_clear; };
+  struct Cost
+  {
+    double if_set, if_clear;
+  };
 
   // Replaces the weights: `cost(cell, i)` is the Cost of facet i, called once a facet, and
   // `preference(cell)` what the label costs the cell.

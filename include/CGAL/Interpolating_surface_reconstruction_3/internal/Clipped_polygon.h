@@ -31,8 +31,7 @@ class Clipped_polygon
 {
 public:
   // The square with half side `size`, whose edges no neighbor made.
-  explicit Clipped_polygon(double size)
-    : m_size(4)
+  explicit Clipped_polygon(double size) : m_size(4)
   {
     const double x[4] = { size, size, -size, -size }, y[4] = { -size, size, size, -size };
     for (std::size_t i = 0; i != 4; ++i)
@@ -42,7 +41,11 @@ public:
   std::size_t size() const { return m_size; }
   std::uint32_t maker(std::size_t i) const { return m_vertices[i].maker; }
 
-  struct Extreme { std::size_t vertex; double value; };
+  struct Extreme
+  {
+    std::size_t vertex;
+    double value;
+  };
 
   // The vertex where a x + b y is largest, and that value.
   Extreme extreme(double a, double b) const
@@ -102,7 +105,11 @@ public:
   static constexpr std::size_t CAPACITY = 64;
 
 private:
-  struct Vertex { double x, y; std::uint32_t maker; };
+  struct Vertex
+  {
+    double x, y;
+    std::uint32_t maker;
+  };
 
   std::size_t next(std::size_t i) const { return i + 1 == m_size ? 0 : i + 1; }
 
@@ -120,7 +127,7 @@ private:
     if (first + removed <= m_size) {
       const std::size_t tail = first + removed;
       if (removed == 1)
-        for (std::size_t i = m_size; i-- > tail; )
+        for (std::size_t i = m_size; i-- > tail;)
           m_vertices[i + 1] = m_vertices[i];
       else if (removed > 2)
         for (std::size_t i = tail; i != m_size; ++i)

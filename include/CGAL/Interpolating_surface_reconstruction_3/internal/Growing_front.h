@@ -52,15 +52,18 @@ public:
 
   struct Edge
   {
-    std::array<Point_index, 2> ends;   // in the order in which the triangle that upholds the edge has them
-    Point_index opposite;              // of that triangle
-    std::array<Edge_index, 2> links;   // the next edge of the ring, at each end
-    std::array<Edge_index, 2> others;  // another edge at the same end, whichever ring it is in
+    std::array<Point_index, 2> ends;  // in the order in which the triangle that upholds the edge has them
+    Point_index opposite;             // of that triangle
+    std::array<Edge_index, 2> links;  // the next edge of the ring, at each end
+    std::array<Edge_index, 2> others; // another edge at the same end, whichever ring it is in
     Ring_index ring;
   };
 
   // A gap at a point, between two edges of a ring that follow one another there.
-  struct Gap { Edge_index first, second; };
+  struct Gap
+  {
+    Edge_index first, second;
+  };
 
   explicit Growing_front(Point_index number_of_points)
     : m_edge_at(number_of_points, NO_EDGE), m_is_reached(number_of_points, 0)
@@ -303,7 +306,12 @@ private:
   }
 
   // A walk along a ring: about to go along the edge from one of its ends.
-  struct Walker { Edge_index edge; Point_index at; std::size_t size; };
+  struct Walker
+  {
+    Edge_index edge;
+    Point_index at;
+    std::size_t size;
+  };
 
   void step(Walker& walker) const
   {
@@ -376,7 +384,8 @@ private:
     std::size_t kept = 0;
     for (Edge_index e : m_relinked)
       if (is_edge(e) && std::find(m_new.begin(), m_new.end(), e) == m_new.end() &&
-          std::find(m_relinked.begin(), m_relinked.begin() + std::ptrdiff_t(kept), e) == m_relinked.begin() + std::ptrdiff_t(kept))
+          std::find(m_relinked.begin(), m_relinked.begin() + std::ptrdiff_t(kept), e) ==
+            m_relinked.begin() + std::ptrdiff_t(kept))
         m_relinked[kept++] = e;
     m_relinked.resize(kept);
   }

@@ -59,14 +59,18 @@ public:
   // The blended heights, their gradient, the blended offsets from the samples, and a direction of the
   // normal. That is to vary evenly between the samples, and is blended by the fourth root of the weights,
   // which is the inverse of the distance if the function interpolates.
-  struct Value { double value; Local_vector gradient, normal, offset; };
+  struct Value
+  {
+    double value;
+    Local_vector gradient, normal, offset;
+  };
 
   // Unit normals; positive radii. At least one sample.
   Linear_pieces(std::vector<Local_point> positions, std::vector<Local_vector> normals, std::vector<double> radii)
-    : m_positions(std::move(positions)), m_normals(std::move(normals)), m_radii(std::move(radii)), m_octree(m_positions),
-      m_largest_radius(m_octree.nodes().size(), 0.)
+    : m_positions(std::move(positions)), m_normals(std::move(normals)), m_radii(std::move(radii)),
+      m_octree(m_positions), m_largest_radius(m_octree.nodes().size(), 0.)
   {
-    for (std::size_t i = m_largest_radius.size(); i-- != 0; ) {
+    for (std::size_t i = m_largest_radius.size(); i-- != 0;) {
       const Point_octree_3::Node& n = m_octree.node(static_cast<std::uint32_t>(i));
       if (n.number_of_children == 0)
         m_largest_radius[i] = *std::max_element(m_radii.begin() + n.begin, m_radii.begin() + n.end);
@@ -97,10 +101,11 @@ public:
       return plane;
     double sum = 0., sum_of_values = 0.;
     Local_vector gradient_of_sum(0, 0, 0), gradient_of_values(0, 0, 0), normals(0, 0, 0), smooth_normal(0, 0, 0),
-                 offsets(0, 0, 0);
+      offsets(0, 0, 0);
     for_each_reaching(0, x, support, [&](Point_index i) {
       const Local_vector v = x - m_positions[i];
-      const double squared_support = support * support * m_radii[i] * m_radii[i], ratio = v.squared_length() / squared_support;
+      const double squared_support = support * support * m_radii[i] * m_radii[i],
+                   ratio = v.squared_length() / squared_support;
       if (!(ratio < 1.))
         return;
       const double agreement = m_normals[i] * nearest_normal, w = weight(ratio, agreement), height = m_normals[i] * v;
@@ -139,7 +144,11 @@ public:
 private:
   static constexpr int STEPS_TO_SURFACE = 2; // the second corrects the normal
 
-  struct Nearest { Point_index index; double squared_distance; };
+  struct Nearest
+  {
+    Point_index index;
+    double squared_distance;
+  };
 
   // Beside this weight of the nearest sample no other counts, and its derivative does not overflow yet.
   static constexpr double LARGEST_WEIGHT = 1e60;

@@ -70,8 +70,8 @@ public:
   // `normals` are in the order of the cloud and have unit length, or there are none.
   Lis_reconstructor_3(const Cloud& cloud, std::vector<Local_vector> normals, const StarConstruction& construction,
                       const Lis_options& options, Progress<Visitor>& progress)
-    : m_cloud(cloud), m_normals(std::move(normals)), m_construction(construction), m_options(options), m_progress(progress),
-      m_cancellation_point(progress)
+    : m_cloud(cloud), m_normals(std::move(normals)), m_construction(construction), m_options(options),
+      m_progress(progress), m_cancellation_point(progress)
   { }
 
   // Returns false if cancelled.
@@ -117,17 +117,18 @@ private:
   // Samples without normals get those of a surface of compatible charts, but for points that it leaves out.
   void find_normals()
   {
-    m_normals = chart_normals<ConcurrencyTag>(m_cloud, m_construction, m_options.neighbor_radius, [this](double fraction) {
-      return m_progress.advance(NORMALS_PART * fraction);
-    });
+    m_normals =
+      chart_normals<ConcurrencyTag>(m_cloud, m_construction, m_options.neighbor_radius,
+                                    [this](double fraction) { return m_progress.advance(NORMALS_PART * fraction); });
   }
 
   // Samples in one plane have no tetrahedra, or none but for rounding, and those of no surface too many.
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
-    surface.triangles = chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
-                                                        [this](double fraction) { return m_progress.advance(fraction); });
+    surface.triangles =
+      chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
+                                      [this](double fraction) { return m_progress.advance(fraction); });
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
   }
@@ -155,8 +156,9 @@ private:
 
   void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling)
   {
-    Labelling_repair<Oriented_labelling> repair(cells, labelling, [](Point_index) { return true; },
-                                                (std::numeric_limits<double>::max)(), true, m_cancellation_point);
+    Labelling_repair<Oriented_labelling> repair(
+      cells, labelling, [](Point_index) { return true; }, (std::numeric_limits<double>::max)(), true,
+      m_cancellation_point);
     repair(m_cancellation_point);
     Label_minimum_cut cut(cells, labelling);
     cut(repair, m_cancellation_point);
@@ -186,8 +188,8 @@ private:
     if (m_options.grid_spacing == 0. || surface.triangles.empty() || m_progress.is_cancelled())
       return;
     const Point_octree_3 octree(m_cloud.positions());
-    const double maximum_radius =
-      m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius) : std::numeric_limits<double>::infinity();
+    const double maximum_radius = m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius)
+                                                                 : std::numeric_limits<double>::infinity();
     const Star_table stars =
       construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius, m_progress);
     if (m_progress.is_cancelled())

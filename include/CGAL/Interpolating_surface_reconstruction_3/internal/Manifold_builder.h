@@ -47,12 +47,15 @@ public:
   static constexpr Triangle_index NO_TRIANGLE = NO_POINT;
 
   // The triangle at an open point, as the edge (a, b) of the link: oriented (point, a, b).
-  struct Corner { Triangle_index triangle; Point_index a, b; };
+  struct Corner
+  {
+    Triangle_index triangle;
+    Point_index a, b;
+  };
   using Corners = boost::container::small_vector<Corner, 7>;
 
   Manifold_builder(Star_compatibility& compatibility, const Predicates& predicates)
-    : m_compatibility(compatibility), m_predicates(predicates),
-      m_slots(compatibility.stars().size(), NO_POINT)
+    : m_compatibility(compatibility), m_predicates(predicates), m_slots(compatibility.stars().size(), NO_POINT)
   {
     for (Point_index p = 0; p != m_slots.size(); ++p)
       if (!compatibility.is_point_agreed(p) || compatibility.is_point_on_boundary(p))
@@ -125,7 +128,8 @@ public:
       if (view == Star_table::View::ABSENT)
         return std::nullopt;
       const Parity_union_find::Oriented_root star = orientations().find(p);
-      return Parity_union_find::Oriented_root{ star.root, star.is_flipped != (view == Star_table::View::OPPOSITE_ORIENTATION) };
+      return Parity_union_find::Oriented_root{ star.root,
+                                               star.is_flipped != (view == Star_table::View::OPPOSITE_ORIENTATION) };
     }
     for (const Corner& c : corners(p))
       if ((c.a == q && c.b == r) || (c.a == r && c.b == q)) {
@@ -143,8 +147,9 @@ public:
       for (const Corner& c : corners(p))
         visit(Triangle{ { p, c.a, c.b } });
     else
-      m_compatibility.for_each_agreed_triangle(
-        p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) { visit(Triangle{ { p, a, b } }); });
+      m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+        visit(Triangle{ { p, a, b } });
+      });
   }
 
   // The third vertex of a triangle at the edge (p, q) of an open point p, or NO_POINT.
@@ -163,8 +168,10 @@ public:
     if (corners(p).size() > MAXIMUM_SEARCHED_DEGREE) {
       const std::vector<Link_end> ends = sorted_link_ends(p);
       for (std::size_t i = 0; i != ends.size(); ++i)
-        result += (i == 0 || ends[i - 1].first != ends[i].first) && (i + 1 == ends.size() || ends[i + 1].first != ends[i].first)
-                    ? 1u : 0u;
+        result +=
+          (i == 0 || ends[i - 1].first != ends[i].first) && (i + 1 == ends.size() || ends[i + 1].first != ends[i].first)
+            ? 1u
+            : 0u;
       return result;
     }
     for (const Corner& c : corners(p))
@@ -225,7 +232,11 @@ public:
   }
 
   // The path of link edges through the neighbor `from` of an open point: its other end and length.
-  struct Fan { Point_index end; std::size_t size; };
+  struct Fan
+  {
+    Point_index end;
+    std::size_t size;
+  };
 
   Fan fan_from(Point_index p, Point_index from) const
   {
@@ -234,7 +245,7 @@ public:
     const Corners& list = corners(p);
     if (list.size() > MAXIMUM_SEARCHED_DEGREE)
       return fan_among_many(p, from);
-    for (std::size_t i = 0; i != list.size(); ) {
+    for (std::size_t i = 0; i != list.size();) {
       const Corner& c = list[i];
       if (c.triangle != last && (c.a == fan.end || c.b == fan.end)) {
         fan.end = c.a == fan.end ? c.b : c.a;
@@ -302,7 +313,11 @@ private:
   }
 
   // A triangle next to a new one, and whether the new one, as given, is oriented against it.
-  struct Adjacent { Triangle_index triangle = NO_TRIANGLE; bool is_flipped = false; };
+  struct Adjacent
+  {
+    Triangle_index triangle = NO_TRIANGLE;
+    bool is_flipped = false;
+  };
 
   Triangle_verdict check(Point_index p, Point_index q, Point_index r)
   {
@@ -314,7 +329,8 @@ private:
       return Triangle_verdict::DEGENERATE;
     if (number_of_triangles(p, q) == 2 || number_of_triangles(q, r) == 2 || number_of_triangles(r, p) == 2)
       return Triangle_verdict::EDGE_FULL;
-    if (corners(p).size() >= MAXIMUM_DEGREE || corners(q).size() >= MAXIMUM_DEGREE || corners(r).size() >= MAXIMUM_DEGREE)
+    if (corners(p).size() >= MAXIMUM_DEGREE || corners(q).size() >= MAXIMUM_DEGREE ||
+        corners(r).size() >= MAXIMUM_DEGREE)
       return Triangle_verdict::VERTEX_FULL;
     if (is_vertex_full(p, q, r) || is_vertex_full(q, r, p) || is_vertex_full(r, p, q))
       return Triangle_verdict::VERTEX_FULL;
@@ -375,8 +391,8 @@ private:
   {
     const std::array<Adjacent, 3> adjacent = adjacent_triangles(p, q, r);
     Stored_triangle stored{ Triangle{ { p, q, r } }, 0 };
-    const auto first = std::find_if(adjacent.begin(), adjacent.end(),
-                                    [](const Adjacent& a) { return a.triangle != NO_TRIANGLE; });
+    const auto first =
+      std::find_if(adjacent.begin(), adjacent.end(), [](const Adjacent& a) { return a.triangle != NO_TRIANGLE; });
     if (first == adjacent.end()) {
       stored.orientation = orientations().add();
     } else {

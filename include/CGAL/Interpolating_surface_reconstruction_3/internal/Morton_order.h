@@ -64,8 +64,7 @@ private:
   std::uint64_t cell(double coordinate, std::size_t axis) const
   {
     constexpr double last = double((std::uint32_t(1) << MORTON_LEVELS) - 1);
-    return static_cast<std::uint64_t>(
-      (std::min)(last, (std::max)(0., (coordinate - m_cube.origin[axis]) * m_scale)));
+    return static_cast<std::uint64_t>((std::min)(last, (std::max)(0., (coordinate - m_cube.origin[axis]) * m_scale)));
   }
 
   // Moves bit i to bit 3 i.
@@ -96,8 +95,7 @@ Octree_cube bounding_cube(PointIterator begin, PointIterator end)
       low[a] = is_first ? c : (std::min)(low[a], c);
       high[a] = is_first ? c : (std::max)(high[a], c);
     }
-  const double size =
-    (std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
+  const double size = (std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
   return Octree_cube{ low, size };
 }
 
@@ -108,9 +106,7 @@ template <typename IndexLess>
 class Morton_sorter
 {
 public:
-  Morton_sorter(const std::vector<Local_point>& points, const IndexLess& less)
-    : m_points(points), m_less(less)
-  { }
+  Morton_sorter(const std::vector<Local_point>& points, const IndexLess& less) : m_points(points), m_less(less) { }
 
   std::vector<Point_index> operator()() const
   {
@@ -135,10 +131,12 @@ private:
     std::uint64_t operator()(const Keyed_index& k, unsigned int offset) const { return k.key >> offset; }
   };
 
-  struct Range { std::size_t begin, end; };
+  struct Range
+  {
+    std::size_t begin, end;
+  };
 
-  void sort(std::vector<Point_index>& order, std::vector<Keyed_index>& keyed,
-            std::size_t begin, std::size_t end) const
+  void sort(std::vector<Point_index>& order, std::vector<Keyed_index>& keyed, std::size_t begin, std::size_t end) const
   {
     // An explicit stack: exponentially spaced points nest as deep as the exponent of a double.
     std::vector<Range> stack{ Range{ begin, end } };
@@ -171,7 +169,7 @@ private:
 
   void push_runs_of_equal_keys(const std::vector<Keyed_index>& keyed, Range range, std::vector<Range>& stack) const
   {
-    for (std::size_t i = range.begin; i != range.end; ) {
+    for (std::size_t i = range.begin; i != range.end;) {
       std::size_t j = i + 1;
       while (j != range.end && keyed[j].key == keyed[i].key)
         ++j;
@@ -188,7 +186,11 @@ private:
       const std::vector<Local_point>& points;
       const Point_index* it;
       const Local_point& operator*() const { return points[*it]; }
-      Iterator& operator++() { ++it; return *this; }
+      Iterator& operator++()
+      {
+        ++it;
+        return *this;
+      }
       bool operator!=(const Iterator& other) const { return it != other.it; }
     };
     return bounding_cube(Iterator{ m_points, order.data() + range.begin },

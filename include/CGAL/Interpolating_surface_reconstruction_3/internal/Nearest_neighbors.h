@@ -81,7 +81,11 @@ public:
   }
 
 private:
-  struct Request { Point_index point; std::size_t size; };
+  struct Request
+  {
+    Point_index point;
+    std::size_t size;
+  };
 
   // Measured: smaller margins gather twice too often, larger ones too many candidates.
   static constexpr double GATHERING_MARGIN = 1.2;
@@ -110,7 +114,10 @@ private:
         m_candidates.push_back(i);
     });
     const std::size_t n = m_candidates.size();
-    m_x.resize(n); m_y.resize(n); m_z.resize(n); m_squared_distances.resize(n);
+    m_x.resize(n);
+    m_y.resize(n);
+    m_z.resize(n);
+    m_squared_distances.resize(n);
     for (std::size_t i = 0; i != n; ++i) {
       const Local_point& p = m_points[m_candidates[i]];
       m_x[i] = float(p.x() - leaf.box.low[0]);
@@ -168,7 +175,8 @@ private:
     if (found < request.size)
       found = collect(squared_reach, request.point);
     if (found > request.size) {
-      std::nth_element(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(request.size), m_nearest.begin() + std::ptrdiff_t(found));
+      std::nth_element(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(request.size),
+                       m_nearest.begin() + std::ptrdiff_t(found));
       found = request.size;
     }
     std::sort(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(found));
@@ -193,7 +201,8 @@ private:
 
   // Whether single precision does not tell the distances of p from its neighbors apart, because the
   // nearest one is too close for coordinates relative to the leaf, or for the exponent of a float.
-  bool is_too_close(std::size_t found, const Local_point& p, const Point_octree_3::Node& leaf, double squared_reach) const
+  bool is_too_close(std::size_t found, const Local_point& p, const Point_octree_3::Node& leaf,
+                    double squared_reach) const
   {
     constexpr double smallest = double((std::numeric_limits<float>::min)());
     if (found == 0)

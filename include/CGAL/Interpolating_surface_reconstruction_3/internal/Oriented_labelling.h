@@ -51,7 +51,10 @@ public:
   bool is_surface(Cell_index c, std::size_t i) const { return m_labels[c] != m_labels[m_cells[c].neighbors[i]]; }
 
   // What facet i counts if it is a surface with its cell inside, or outside.
-  struct Facet_energy { double if_inside, if_outside, area; };
+  struct Facet_energy
+  {
+    double if_inside, if_outside, area;
+  };
 
   Facet_energy facet_energy(Cell_index c, std::size_t i) const
   {

@@ -29,10 +29,13 @@ class Parity_union_find
 public:
   using Element = std::uint32_t;
 
-  struct Oriented_root { Element root; bool is_flipped; };
+  struct Oriented_root
+  {
+    Element root;
+    bool is_flipped;
+  };
 
-  explicit Parity_union_find(std::size_t n)
-    : m_parent(n), m_is_flipped(n, 0)
+  explicit Parity_union_find(std::size_t n) : m_parent(n), m_is_flipped(n, 0)
   {
     for (std::size_t i = 0; i != n; ++i)
       m_parent[i] = static_cast<Element>(i);

@@ -72,21 +72,16 @@ public:
   std::size_t input_index(Point_index i) const { return m_input_indices[i]; }
 
   // A length in the user's unit as a length between positions.
-  double local_length(double length) const
-  {
-    return length * m_scale.first * m_scale.second;
-  }
+  double local_length(double length) const { return length * m_scale.first * m_scale.second; }
 
   // The inverse of length and point for measures; rounded.
-  double global_length(double length) const
-  {
-    return length / m_scale.first / m_scale.second;
-  }
+  double global_length(double length) const { return length / m_scale.first / m_scale.second; }
 
   Point_3 global_point(const Local_point& p) const
   {
     using FT = typename Traits::FT;
-    return m_traits.construct_point_3_object()(FT(global_length(p.x()) + m_shift[0]), FT(global_length(p.y()) + m_shift[1]),
+    return m_traits.construct_point_3_object()(FT(global_length(p.x()) + m_shift[0]),
+                                               FT(global_length(p.y()) + m_shift[1]),
                                                FT(global_length(p.z()) + m_shift[2]));
   }
 

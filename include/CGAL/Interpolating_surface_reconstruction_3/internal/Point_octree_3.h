@@ -41,20 +41,19 @@ struct Local_box
 
   bool overlaps(const Local_box& other) const
   {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
+           low[2] <= other.high[2] && other.low[2] <= high[2];
   }
 
   bool contains(const Local_box& other) const
   {
-    return low[0] <= other.low[0] && other.high[0] <= high[0] && low[1] <= other.low[1] &&
-           other.high[1] <= high[1] && low[2] <= other.low[2] && other.high[2] <= high[2];
+    return low[0] <= other.low[0] && other.high[0] <= high[0] && low[1] <= other.low[1] && other.high[1] <= high[1] &&
+           low[2] <= other.low[2] && other.high[2] <= high[2];
   }
 
   Local_box enlarged(double by) const
   {
-    return Local_box{ { low[0] - by, low[1] - by, low[2] - by },
-                      { high[0] + by, high[1] + by, high[2] + by } };
+    return Local_box{ { low[0] - by, low[1] - by, low[2] - by }, { high[0] + by, high[1] + by, high[2] + by } };
   }
 };
 
@@ -73,8 +72,7 @@ public:
     std::uint32_t number_of_children; // 0 for a leaf
   };
 
-  explicit Point_octree_3(const std::vector<Local_point>& points)
-    : m_points(points)
+  explicit Point_octree_3(const std::vector<Local_point>& points) : m_points(points)
   {
     if (points.empty())
       return;
@@ -102,7 +100,8 @@ public:
   std::uint32_t leaf_of(Point_index p) const
   {
     return *(std::upper_bound(m_leaves.begin(), m_leaves.end(), p,
-                              [&](Point_index q, std::uint32_t leaf) { return q < m_nodes[leaf].begin; }) - 1);
+                              [&](Point_index q, std::uint32_t leaf) { return q < m_nodes[leaf].begin; }) -
+             1);
   }
 
   // Calls visit(leaf) for every leaf whose tight box overlaps `box`.
@@ -169,7 +168,8 @@ private:
     Octree_cube cell = m_nodes[pending.node].cell;
     int level = pending.level;
     // Halve the cell while all points stay together.
-    while (level != MORTON_LEVELS && Morton_key::octant(m_keys[begin], level) == Morton_key::octant(m_keys[end - 1], level)) {
+    while (level != MORTON_LEVELS &&
+           Morton_key::octant(m_keys[begin], level) == Morton_key::octant(m_keys[end - 1], level)) {
       cell = child_cell(cell, Morton_key::octant(m_keys[begin], level));
       ++level;
     }
@@ -179,7 +179,7 @@ private:
       return;
     }
     const std::uint32_t first_child = static_cast<std::uint32_t>(m_nodes.size());
-    for (Point_index i = begin; i != end; ) {
+    for (Point_index i = begin; i != end;) {
       const unsigned int octant = Morton_key::octant(m_keys[i], level);
       const Point_index next = static_cast<Point_index>(
         std::partition_point(m_keys.begin() + i, m_keys.begin() + end,
@@ -202,8 +202,7 @@ private:
   static Octree_cube child_cell(const Octree_cube& cell, unsigned int octant)
   {
     const double half = cell.size / 2;
-    return Octree_cube{ { cell.origin[0] + ((octant & 1u) ? half : 0.),
-                          cell.origin[1] + ((octant & 2u) ? half : 0.),
+    return Octree_cube{ { cell.origin[0] + ((octant & 1u) ? half : 0.), cell.origin[1] + ((octant & 2u) ? half : 0.),
                           cell.origin[2] + ((octant & 4u) ? half : 0.) },
                         half };
   }
@@ -211,7 +210,7 @@ private:
   // Children follow their parent in the array.
   void compute_boxes()
   {
-    for (std::size_t i = m_nodes.size(); i-- != 0; ) {
+    for (std::size_t i = m_nodes.size(); i-- != 0;) {
       Node& n = m_nodes[i];
       if (n.number_of_children == 0) {
         const Local_point& p = m_points[n.begin];

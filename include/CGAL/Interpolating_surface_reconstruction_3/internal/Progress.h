@@ -33,8 +33,7 @@ template <typename Visitor>
 class Progress
 {
 public:
-  Progress(std::function<bool(double)> callback, Visitor& visitor)
-    : m_callback(std::move(callback)), m_visitor(visitor)
+  Progress(std::function<bool(double)> callback, Visitor& visitor) : m_callback(std::move(callback)), m_visitor(visitor)
   { }
 
   Progress(const Progress&) = delete;
@@ -103,23 +102,22 @@ private:
   std::function<bool(double)> m_callback;
   Visitor& m_visitor;
   std::mutex m_mutex;
-  std::atomic<bool> m_cancelled{false};
+  std::atomic<bool> m_cancelled{ false };
   std::exception_ptr m_exception;
   Stage m_stage = Stage::INDEXING;
   double m_stage_begin = 0., m_stage_end = 0., m_reported = 0.;
 };
 
 // Thrown out of a long computation when the run is cancelled; the stage that called catches it.
-struct Cancelled { };
+struct Cancelled
+{ };
 
 // Called in the inner loops of a long computation, it polls now and then.
 template <typename Progress>
 class Cancellation_point
 {
 public:
-  explicit Cancellation_point(Progress& progress)
-    : m_progress(&progress)
-  { }
+  explicit Cancellation_point(Progress& progress) : m_progress(&progress) { }
 
   // `work` is about the number of microseconds until the next call, if they are more than one.
   void operator()(std::size_t work = 1)

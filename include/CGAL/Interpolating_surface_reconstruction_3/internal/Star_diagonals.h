@@ -39,8 +39,8 @@ public:
 
   // `polygon` is the restricted Voronoi cell in the frame (u, v) of the tangent plane, and
   // `squared_radius` that of its farthest vertex.
-  Star_diagonals(const Star_neighborhood& neighborhood, const Clipped_polygon& polygon, const Vector_3& u, const Vector_3& v,
-                 double squared_radius)
+  Star_diagonals(const Star_neighborhood& neighborhood, const Clipped_polygon& polygon, const Vector_3& u,
+                 const Vector_3& v, double squared_radius)
     : m_neighborhood(neighborhood), m_polygon(polygon), m_u(u), m_v(v)
   {
     find_near_misses(squared_radius);
@@ -56,7 +56,11 @@ public:
 private:
   // A neighbor that nearly cuts off a vertex of the polygon: the value at the vertex of the linear
   // function that is 1 on its bisector.
-  struct Near_miss { std::uint32_t neighbor; double value; };
+  struct Near_miss
+  {
+    std::uint32_t neighbor;
+    double value;
+  };
 
   // A quadrangle is worth a look if the fourth point would have to come closer by this part of its
   // distance. The choice hardly matters between .2 and .6: farther points do not win.
@@ -110,8 +114,9 @@ private:
 
   void remove_diagonals(std::vector<std::uint32_t>& link) const
   {
-    for (std::size_t i = 0; i != link.size() && link.size() > 3; ) {
-      const std::uint32_t q = link[i == 0 ? link.size() - 1 : i - 1], r = link[i], s = link[i + 1 == link.size() ? 0 : i + 1];
+    for (std::size_t i = 0; i != link.size() && link.size() > 3;) {
+      const std::uint32_t q = link[i == 0 ? link.size() - 1 : i - 1], r = link[i],
+                          s = link[i + 1 == link.size() ? 0 : i + 1];
       if (q != Point_star::GAP && r != Point_star::GAP && s != Point_star::GAP && is_dispensable(q, r, s) &&
           !is_own_diagonal_better(q, r, s))
         link.erase(link.begin() + std::ptrdiff_t(i));
@@ -166,7 +171,6 @@ private:
   const Vector_3 m_u, m_v;
   std::array<Near_miss, Clipped_polygon::CAPACITY + 1> m_near_misses;
 };
-
 
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3

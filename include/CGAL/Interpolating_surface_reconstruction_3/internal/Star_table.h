@@ -50,7 +50,12 @@ public:
   }
 
   // How the star of `center` sees the triangle (center, a, b).
-  enum class View { ABSENT, SAME_ORIENTATION, OPPOSITE_ORIENTATION };
+  enum class View
+  {
+    ABSENT,
+    SAME_ORIENTATION,
+    OPPOSITE_ORIENTATION
+  };
 
   View view(Point_index center, Point_index a, Point_index b) const
   {
@@ -73,7 +78,11 @@ public:
 
   // Builds the table from blocks of consecutive points, each with the lengths and the concatenation
   // of its links.
-  struct Block { std::vector<std::uint32_t> lengths; std::vector<Point_index> neighbors; };
+  struct Block
+  {
+    std::vector<std::uint32_t> lengths;
+    std::vector<Point_index> neighbors;
+  };
 
   explicit Star_table(std::vector<Block>&& blocks)
   {

@@ -29,9 +29,7 @@ template <typename Traits>
 class Surface_predicates
 {
 public:
-  explicit Surface_predicates(const Point_cloud_3<Traits>& cloud)
-    : m_cloud(cloud)
-  { }
+  explicit Surface_predicates(const Point_cloud_3<Traits>& cloud) : m_cloud(cloud) { }
 
   // Whether the three points are collinear.
   bool is_degenerate(Point_index p, Point_index q, Point_index r) const
@@ -49,13 +47,16 @@ public:
                        b = m_cloud.position(s) - m_cloud.position(p);
     const Local_vector m = cross_product(e, a), n = cross_product(e, b);
     // The errors are relative to the factors: a triangle that is nearly degenerate has no certain normal.
-    const double error = SQUARED_ERROR * e.squared_length() * e.squared_length() * a.squared_length() * b.squared_length();
+    const double error =
+      SQUARED_ERROR * e.squared_length() * e.squared_length() * a.squared_length() * b.squared_length();
     const double cosine = m * n;
     if ((cosine < 0. && cosine * cosine > error) || cross_product(m, n).squared_length() > error)
       return false;
     const Traits& traits = m_cloud.traits();
-    return traits.orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) == COPLANAR &&
-           traits.coplanar_orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) == POSITIVE;
+    return traits.orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) ==
+             COPLANAR &&
+           traits.coplanar_orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r),
+                                                  m_cloud.point(s)) == POSITIVE;
   }
 
 private:

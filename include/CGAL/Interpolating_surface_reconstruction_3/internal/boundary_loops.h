@@ -35,8 +35,7 @@ template <typename Builder>
 class Boundary_loops
 {
 public:
-  Boundary_loops(const std::vector<Local_point>& points, const Builder& builder)
-    : m_points(points), m_builder(builder)
+  Boundary_loops(const std::vector<Local_point>& points, const Builder& builder) : m_points(points), m_builder(builder)
   { }
 
   // Loops by increasing length; a loop begins at its smallest point.
@@ -61,7 +60,11 @@ private:
     bool operator<(const Passage& other) const { return at < other.at; }
   };
 
-  struct Fan { Point_index begin, end; double angle; };
+  struct Fan
+  {
+    Point_index begin, end;
+    double angle;
+  };
 
   void collect_passages()
   {
@@ -86,7 +89,8 @@ private:
     while (!ends.empty()) {
       const Point_index begin = ends.front(), end = m_builder.fan_from(p, begin).end;
       fans.push_back(Fan{ begin, end, 0. });
-      ends.erase(std::remove_if(ends.begin(), ends.end(), [&](Point_index q) { return q == begin || q == end; }), ends.end());
+      ends.erase(std::remove_if(ends.begin(), ends.end(), [&](Point_index q) { return q == begin || q == end; }),
+                 ends.end());
     }
     return fans;
   }
@@ -140,9 +144,8 @@ private:
     Point_index at = m_passages[first].at, to = m_passages[first].to;
     while (true) {
       const auto range = std::equal_range(m_passages.begin(), m_passages.end(), Passage{ to, 0, 0, false });
-      const auto it = std::find_if(range.first, range.second, [&](const Passage& p) {
-        return !p.is_visited && (p.from == at || p.to == at);
-      });
+      const auto it = std::find_if(range.first, range.second,
+                                   [&](const Passage& p) { return !p.is_visited && (p.from == at || p.to == at); });
       if (it == range.second)
         return loop;
       it->is_visited = true;

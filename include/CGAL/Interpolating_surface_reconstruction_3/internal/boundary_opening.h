@@ -58,7 +58,10 @@ private:
   // of a grid, whose edges are up to the square root of 2 times the median.
   static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.5;
 
-  double length(Point_index p, Point_index q) const { return std::sqrt((m_positions[q] - m_positions[p]).squared_length()); }
+  double length(Point_index p, Point_index q) const
+  {
+    return std::sqrt((m_positions[q] - m_positions[p]).squared_length());
+  }
 
   // Neighbor i shares the edge from vertex i to the next.
   void find_neighbors()
@@ -101,7 +104,8 @@ private:
     m_radii.assign(m_positions.size(), 0.);
     for (std::size_t p = 0; p != m_positions.size(); ++p)
       if (begin[p] != begin[p + 1]) {
-        const auto first = lengths.begin() + std::ptrdiff_t(begin[p]), last = lengths.begin() + std::ptrdiff_t(begin[p + 1]);
+        const auto first = lengths.begin() + std::ptrdiff_t(begin[p]),
+                   last = lengths.begin() + std::ptrdiff_t(begin[p + 1]);
         const auto median = first + (last - first) / 2;
         std::nth_element(first, median, last);
         m_radii[p] = *median;
@@ -154,14 +158,15 @@ private:
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
       for (Point_index p : m_triangles[t])
         triangles_at[next[p]++] = t;
-    for (bool is_changed = true; is_changed; ) {
+    for (bool is_changed = true; is_changed;) {
       is_changed = false;
       for (Point_index p = 0; p != m_positions.size(); ++p) {
         std::vector<std::vector<std::size_t> > fans;
         for (std::size_t k = begin[p]; k != begin[p + 1]; ++k)
           if (!m_is_removed[triangles_at[k]] && !contains(fans, triangles_at[k]))
             fans.push_back(fan(p, triangles_at[k]));
-        const auto largest = std::max_element(fans.begin(), fans.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        const auto largest =
+          std::max_element(fans.begin(), fans.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
         for (auto it = fans.begin(); it != fans.end(); ++it)
           if (it != largest) {
             is_changed = true;
@@ -174,7 +179,8 @@ private:
 
   static bool contains(const std::vector<std::vector<std::size_t> >& fans, std::size_t t)
   {
-    return std::any_of(fans.begin(), fans.end(), [&](const auto& fan) { return std::find(fan.begin(), fan.end(), t) != fan.end(); });
+    return std::any_of(fans.begin(), fans.end(),
+                       [&](const auto& fan) { return std::find(fan.begin(), fan.end(), t) != fan.end(); });
   }
 
   // The triangles at p that are connected to t by edges at p.
@@ -185,7 +191,8 @@ private:
       for (std::size_t i = 0; i != 3; ++i) {
         const Triangle& v = m_triangles[result[k]];
         const std::size_t n = m_neighbors[result[k]][i];
-        if ((v[i] == p || v[(i + 1) % 3] == p) && !m_is_removed[n] && std::find(result.begin(), result.end(), n) == result.end())
+        if ((v[i] == p || v[(i + 1) % 3] == p) && !m_is_removed[n] &&
+            std::find(result.begin(), result.end(), n) == result.end())
           result.push_back(n);
       }
     return result;

@@ -37,7 +37,8 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   // `normals` have unit length.
-  Cell_signs(const Cell_complex& cells, const std::vector<Local_point>& positions, const std::vector<Local_vector>& normals)
+  Cell_signs(const Cell_complex& cells, const std::vector<Local_point>& positions,
+             const std::vector<Local_vector>& normals)
     : m_cells(cells), m_positions(positions), m_normals(normals)
   { }
 
@@ -92,7 +93,8 @@ private:
   }
 
   // The sample across facet i: farther than the vertices, with a weight that falls off quickly.
-  double value_of_opposite(const Cell_complex::Cell& cell, std::size_t i, const Local_point& center, double radius) const
+  double value_of_opposite(const Cell_complex::Cell& cell, std::size_t i, const Local_point& center,
+                           double radius) const
   {
     const Cell_complex::Cell& neighbor = m_cells[cell.neighbors[i]];
     const Point_index m = m_cells.apex(neighbor, Cell_complex::facet(cell, i));

@@ -38,7 +38,8 @@ std::vector<std::array<Point_index, 3> > chart_triangles(const Cloud& cloud, con
                                                          const StarConstruction& construction, double neighbor_radius,
                                                          const KeepGoing& keep_going)
 {
-  using Reconstructor = Ctc_reconstructor_3<ConcurrencyTag, typename Cloud::Traits_class, StarConstruction, Default_visitor>;
+  using Reconstructor =
+    Ctc_reconstructor_3<ConcurrencyTag, typename Cloud::Traits_class, StarConstruction, Default_visitor>;
   std::vector<Point_index> cloud_index;
   for (Point_index p = 0; p != cloud.size(); ++p) {
     cloud_index.resize((std::max)(cloud_index.size(), cloud.input_index(p) + 1));
@@ -57,10 +58,11 @@ std::vector<std::array<Point_index, 3> > chart_triangles(const Cloud& cloud, con
 
 // Normals for points without: those of the vertices of the charts, zero at points that they leave out.
 template <typename ConcurrencyTag, typename Cloud, typename StarConstruction, typename KeepGoing>
-std::vector<Local_vector> chart_normals(const Cloud& cloud, const StarConstruction& construction, double neighbor_radius,
-                                        const KeepGoing& keep_going)
+std::vector<Local_vector> chart_normals(const Cloud& cloud, const StarConstruction& construction,
+                                        double neighbor_radius, const KeepGoing& keep_going)
 {
-  return vertex_normals(cloud.positions(), chart_triangles<ConcurrencyTag>(cloud, {}, construction, neighbor_radius, keep_going));
+  return vertex_normals(cloud.positions(),
+                        chart_triangles<ConcurrencyTag>(cloud, {}, construction, neighbor_radius, keep_going));
 }
 
 } // namespace internal

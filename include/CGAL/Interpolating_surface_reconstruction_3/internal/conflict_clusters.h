@@ -34,7 +34,8 @@ template <typename Builder>
 class Conflict_clusters
 {
 public:
-  Conflict_clusters(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, const Builder& builder)
+  Conflict_clusters(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
+                    const Builder& builder)
     : m_builder(builder), m_neighbors(points, octree, maximum_radius)
   {
     for (Point_index p : m_builder.open_points())

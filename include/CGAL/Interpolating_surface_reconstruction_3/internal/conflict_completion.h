@@ -44,8 +44,10 @@ template <typename Builder>
 class Conflict_completion
 {
 public:
-  Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
-    : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder), m_oriented_energy(points)
+  Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
+                      Builder& builder)
+    : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder),
+      m_oriented_energy(points)
   { }
 
   // Ends early if cancelled.
@@ -87,10 +89,7 @@ private:
   static constexpr std::size_t ORIENTED_ROUNDS = 2;
 
   // Whether the surface at the point is one closed fan.
-  bool is_complete(Point_index p) const
-  {
-    return !m_builder.is_open(p) || m_builder.is_fan_closed(p);
-  }
+  bool is_complete(Point_index p) const { return !m_builder.is_open(p) || m_builder.is_fan_closed(p); }
 
   bool is_conflict(Point_index p) const { return m_is_conflict[p] != 0; }
 
@@ -114,7 +113,8 @@ private:
   }
 
   template <typename CancellationPoint, typename OnVerdict>
-  void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point,
+                     OnVerdict on_verdict)
   {
     gather_knowledge(cells, cancellation_point);
     const Cell_labelling labelling = label(cells, cancellation_point);
@@ -140,8 +140,9 @@ private:
         return on_surface ? CERTAIN * *on_surface : evidence(c, i);
       },
       [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
-    Labelling_repair<Cell_labelling> repair(cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; },
-                                            CERTAIN / 2, false, cancellation_point);
+    Labelling_repair<Cell_labelling> repair(
+      cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; }, CERTAIN / 2, false,
+      cancellation_point);
     repair(cancellation_point);
     for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
       const double certain = m_oriented_energy(cells, labelling, known, cancellation_point);
@@ -153,7 +154,13 @@ private:
 
   // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
   // sites there, or nothing, because points beyond the sites are unknown.
-  enum class Knowledge : unsigned char { NONE, ON_SURFACE, OFF_SURFACE, IRRELEVANT };
+  enum class Knowledge : unsigned char
+  {
+    NONE,
+    ON_SURFACE,
+    OFF_SURFACE,
+    IRRELEVANT
+  };
 
   template <typename CancellationPoint>
   void gather_knowledge(const Cell_complex& cells, CancellationPoint& cancellation_point)
@@ -261,8 +268,8 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
-            !has_triangle(f))
+        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) ||
+            !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) || !has_triangle(f))
           continue;
         std::sort(f.begin(), f.end());
         facets.push_back(f);
@@ -342,7 +349,8 @@ private:
   }
 
   template <typename CancellationPoint, typename OnVerdict>
-  void attach(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  void attach(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point,
+              OnVerdict on_verdict)
   {
     std::vector<Triangle> surface;
     for_each_missing_triangle(cells, labelling, [&](Triangle t) {

@@ -60,7 +60,11 @@ private:
   // Worth of 0 to 3 votes. Results hardly depend on it.
   static constexpr double TRUST[4] = { -1., -.2, .2, 1.5 };
 
-  struct Sphere { Local_point center; double radius; };
+  struct Sphere
+  {
+    Local_point center;
+    double radius;
+  };
 
   Sphere circumsphere(const std::array<Point_index, 4>& v) const
   {

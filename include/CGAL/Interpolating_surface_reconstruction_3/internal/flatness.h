@@ -41,7 +41,9 @@ inline bool is_flat_up_to_rounding(const std::vector<Local_point>& points)
   };
   const auto squared_distance_to_origin = [&](const Local_point& p) { return (p - origin).squared_length(); };
   const Local_vector axis = farthest(squared_distance_to_origin) - origin;
-  const auto squared_distance_to_axis = [&](const Local_point& p) { return cross_product(axis, p - origin).squared_length(); };
+  const auto squared_distance_to_axis = [&](const Local_point& p) {
+    return cross_product(axis, p - origin).squared_length();
+  };
   const Local_vector normal = cross_product(axis, farthest(squared_distance_to_axis) - origin);
   if (!(normal.squared_length() > 0.))
     return true;

@@ -62,7 +62,8 @@ public:
     if (!candidate.is_agreed && !m_compatibility.is_point_agreed(a) && !m_compatibility.is_point_agreed(b))
       candidate.apex = disputed_apex(e);
     if (candidate.apex != NO_POINT)
-      candidate.coplanarity = cosine_of_supplementary_angle(m_points[a], m_points[b], m_points[candidate.apex], m_points[edge.opposite]);
+      candidate.coplanarity =
+        cosine_of_supplementary_angle(m_points[a], m_points[b], m_points[candidate.apex], m_points[edge.opposite]);
     return candidate;
   }
 
@@ -112,7 +113,8 @@ private:
         if (!stars.has_triangle(center, s) || (stars.neighbor(s) != other && stars.neighbor(t) != other))
           continue;
         const Point_index x = stars.neighbor(s) == other ? stars.neighbor(t) : stars.neighbor(s);
-        if (std::find(apices.begin(), apices.end(), x) == apices.end() && !m_compatibility.is_point_agreed(x) && is_in_subspace(e, x))
+        if (std::find(apices.begin(), apices.end(), x) == apices.end() && !m_compatibility.is_point_agreed(x) &&
+            is_in_subspace(e, x))
           apices.push_back(x);
       }
     }
@@ -174,7 +176,8 @@ private:
   // Eq. 3.13
   double distance(Point_index a, Point_index b, Point_index x) const
   {
-    return std::sqrt((m_points[x] - m_points[a]).squared_length()) + std::sqrt((m_points[x] - m_points[b]).squared_length());
+    return std::sqrt((m_points[x] - m_points[a]).squared_length()) +
+           std::sqrt((m_points[x] - m_points[b]).squared_length());
   }
 
   // Fig. 3.6: whether x projects into the triangle (a, b, p).

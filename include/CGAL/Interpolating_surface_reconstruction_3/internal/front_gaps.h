@@ -33,9 +33,7 @@ class Front_gaps
 public:
   using Gap = Growing_front::Gap;
 
-  Front_gaps(const std::vector<Local_point>& points, const Growing_front& front)
-    : m_points(points), m_front(front)
-  { }
+  Front_gaps(const std::vector<Local_point>& points, const Growing_front& front) : m_points(points), m_front(front) { }
 
   // The gap at p for the triangle (p, a, b), its first edge being on the side of a.
   Gap operator()(Point_index p, Point_index a, Point_index b, const std::vector<Gap>& gaps) const
@@ -46,7 +44,8 @@ public:
     for (const Gap& gap : gaps) {
       // Turn so that the gap extends counterclockwise from its first edge.
       const Gap turned = is_left_of_surface(frame, p, gap.first) ? gap : Gap{ gap.second, gap.first };
-      const double from = angle(frame, p, far_end(p, turned.first)), width = difference(angle(frame, p, far_end(p, turned.second)), from);
+      const double from = angle(frame, p, far_end(p, turned.first)),
+                   width = difference(angle(frame, p, far_end(p, turned.second)), from);
       const double to_a = difference(0., from), to_b = difference(frame.angle_of_second(), from);
       const double beyond = (std::max)(0., (std::max)(to_a, to_b) - width);
       if (beyond < least) {
@@ -61,9 +60,11 @@ private:
   // Plane coordinates: the first axis along u, v on the left of it.
   struct Frame
   {
-    Frame(const Local_vector& u, const Local_vector& v)
-      : x(u), y(cross_product(cross_product(u, v), u)), second(v)
-    { x = x / std::sqrt(x.squared_length()); y = y / std::sqrt(y.squared_length()); }
+    Frame(const Local_vector& u, const Local_vector& v) : x(u), y(cross_product(cross_product(u, v), u)), second(v)
+    {
+      x = x / std::sqrt(x.squared_length());
+      y = y / std::sqrt(y.squared_length());
+    }
     double angle(const Local_vector& d) const { return std::atan2(d * y, d * x); }
     double angle_of_second() const { return angle(second); }
     Local_vector x, y, second;
@@ -75,7 +76,10 @@ private:
     return ends[0] == p ? ends[1] : ends[0];
   }
 
-  double angle(const Frame& frame, Point_index p, Point_index q) const { return frame.angle(m_points[q] - m_points[p]); }
+  double angle(const Frame& frame, Point_index p, Point_index q) const
+  {
+    return frame.angle(m_points[q] - m_points[p]);
+  }
 
   // The angle from `from` to `to`, counterclockwise, in [0, 2 pi).
   static double difference(double to, double from)

@@ -72,7 +72,8 @@ public:
       if (!progress.advance(0.))
         return;
       if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
-          !std::all_of(loop.begin(), loop.end(), [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
+          !std::all_of(loop.begin(), loop.end(),
+                       [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
           std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
         m_fill.fill_if_planar(loop, on_verdict);
     }
@@ -106,7 +107,8 @@ private:
       if (!progress.advance(0.))
         break;
       if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
-          !(is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) && !m_fill(loop, on_verdict) && !is_agreed_boundary(loop))
+          !(is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) && !m_fill(loop, on_verdict) &&
+          !is_agreed_boundary(loop))
         failed.push_back(loop);
     }
     return failed;
@@ -115,9 +117,8 @@ private:
   // Whether most stars along the loop agree that the surface ends there. A short loop is a gap.
   bool is_agreed_boundary(const Boundary_loop& loop) const
   {
-    const auto agreed = std::count_if(loop.begin(), loop.end(), [&](Point_index p) {
-      return m_builder.compatibility().is_point_on_boundary(p);
-    });
+    const auto agreed = std::count_if(loop.begin(), loop.end(),
+                                      [&](Point_index p) { return m_builder.compatibility().is_point_on_boundary(p); });
     return loop.size() > MAXIMUM_PLANAR_SIZE && 2 * static_cast<std::size_t>(agreed) > loop.size();
   }
 

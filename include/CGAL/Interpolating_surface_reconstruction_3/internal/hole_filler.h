@@ -41,9 +41,7 @@ template <typename Builder>
 class Hole_filler
 {
 public:
-  Hole_filler(const std::vector<Local_point>& points, Builder& builder)
-    : m_points(points), m_builder(builder)
-  { }
+  Hole_filler(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
 
   // Fills the loop; leaves the surface as it was and returns false if there is no way to.
   template <typename OnVerdict>
@@ -69,7 +67,11 @@ private:
 
   static constexpr double IMPOSSIBLE = std::numeric_limits<double>::infinity();
 
-  struct Entry { double cost; std::size_t split; };
+  struct Entry
+  {
+    double cost;
+    std::size_t split;
+  };
 
   Entry& entry(std::size_t i, std::size_t j) { return m_table[i * m_loop.size() + j]; }
 
@@ -119,10 +121,7 @@ private:
     entry(i, j) = best;
   }
 
-  bool is_free_chord(Point_index p, Point_index q) const
-  {
-    return p != q && m_builder.number_of_triangles(p, q) == 0;
-  }
+  bool is_free_chord(Point_index p, Point_index q) const { return p != q && m_builder.number_of_triangles(p, q) == 0; }
 
   double cost_of(std::size_t i, std::size_t m, std::size_t j, bool is_closing_edge)
   {
@@ -161,8 +160,9 @@ private:
     for (const Triangle& other : m_fill)
       if (other != t && std::count(other.begin(), other.end(), p) + std::count(other.begin(), other.end(), q) == 2)
         opposite = other[0] != p && other[0] != q ? other[0] : other[1] != p && other[1] != q ? other[1] : other[2];
-    return opposite == NO_POINT ? MISSING_NEIGHBOR_COSINE
-                                : cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
+    return opposite == NO_POINT
+             ? MISSING_NEIGHBOR_COSINE
+             : cosine_of_supplementary_angle(m_points[p], m_points[q], m_points[r], m_points[opposite]);
   }
 
   void collect(std::size_t begin, std::size_t end)
@@ -209,7 +209,7 @@ private:
     };
     for (std::size_t i = 0; i != n; ++i)
       push(i);
-    for (std::size_t size = n; size > MAXIMUM_OPTIMAL_SIZE && !queue.empty(); ) {
+    for (std::size_t size = n; size > MAXIMUM_OPTIMAL_SIZE && !queue.empty();) {
       const Ear ear = queue.top();
       queue.pop();
       if (after[ear.at] != ear.after || before[ear.at] != ear.before || !is_ear(ear))
@@ -249,7 +249,7 @@ private:
       const Triangle_verdict verdict = m_builder.try_add(t[0], t[1], t[2]);
       on_verdict(t, verdict);
       if (verdict != Triangle_verdict::ADDED) {
-        for (std::size_t added = m_builder.number_of_stored_triangles(); added-- != before; )
+        for (std::size_t added = m_builder.number_of_stored_triangles(); added-- != before;)
           m_builder.remove(static_cast<Triangle_index>(added));
         return false;
       }

@@ -32,16 +32,15 @@ template <typename Builder>
 class Island_removal
 {
 public:
-  explicit Island_removal(Builder& builder)
-    : m_builder(builder)
-  { }
+  explicit Island_removal(Builder& builder) : m_builder(builder) { }
 
   void operator()()
   {
     m_is_visited.assign(m_builder.number_of_points(), 0);
     const std::vector<Point_index> open_points = m_builder.open_points();
     for (Point_index p : open_points)
-      if (!m_is_visited[p] && !m_builder.compatibility().is_point_agreed(p) && !m_builder.corners(p).empty() && find_component(p) && is_reached_from_outside())
+      if (!m_is_visited[p] && !m_builder.compatibility().is_point_agreed(p) && !m_builder.corners(p).empty() &&
+          find_component(p) && is_reached_from_outside())
         remove_component();
   }
 

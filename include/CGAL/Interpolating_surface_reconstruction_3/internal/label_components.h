@@ -115,10 +115,10 @@ public:
 private:
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
-  Point_index m_point = NO_POINT;       // of the last search
-  std::vector<std::uint32_t> m_mark;    // of each cell: the last search that reached it
+  Point_index m_point = NO_POINT;    // of the last search
+  std::vector<std::uint32_t> m_mark; // of each cell: the last search that reached it
   std::uint32_t m_stamp = 0;
-  std::vector<Star_cell> m_star_cells;  // of the last search
+  std::vector<Star_cell> m_star_cells; // of the last search
   std::vector<Cell_index> m_seeds, m_stack;
 };
 

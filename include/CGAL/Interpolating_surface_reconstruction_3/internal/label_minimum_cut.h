@@ -167,7 +167,8 @@ private:
         const Cell_index n = m_cells[c].neighbors[i];
         total_area += energy.area;
         if (m_node_of[n] >= IN)
-          (m_labelling.label(n) ? to_inside : to_outside) += m_labelling.label(n) ? energy.if_outside : energy.if_inside;
+          (m_labelling.label(n) ? to_inside : to_outside) +=
+            m_labelling.label(n) ? energy.if_outside : energy.if_inside;
         else if (m_node_of[n] > k)
           result.push_back(Connection{ k, m_node_of[n], energy.if_inside, energy.if_outside });
       }
@@ -209,15 +210,14 @@ private:
     connect(graph, connections());
     // The search asks for the index of every node that it comes to.
     const auto index = boost::make_function_property_map<Graph_traits::vertex_descriptor>(
-        [&cancellation_point](Graph_traits::vertex_descriptor v) {
-          cancellation_point();
-          return v;
-        });
-    boost::boykov_kolmogorov_max_flow(
-        graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
-        boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
-        boost::get(&Node::color, graph), boost::get(&Node::distance, graph), index, inside,
-        outside);
+      [&cancellation_point](Graph_traits::vertex_descriptor v) {
+        cancellation_point();
+        return v;
+      });
+    boost::boykov_kolmogorov_max_flow(graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
+                                      boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
+                                      boost::get(&Node::color, graph), boost::get(&Node::distance, graph), index,
+                                      inside, outside);
     for (std::size_t k = 0; k != m_region.size(); ++k)
       m_node_of[m_region[k]] = (graph[k].color == graph[inside].color) != m_labelling.label(m_region[k]) ? IN : OUT;
     return connected_parts();

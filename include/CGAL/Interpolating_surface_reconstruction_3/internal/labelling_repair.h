@@ -72,17 +72,14 @@ public:
   }
 
   // Returns the number of points but hubs at which the surface is no manifold in the end.
-  std::size_t operator()()
-  {
-    return (*this)(No_cancellation());
-  }
+  std::size_t operator()() { return (*this)(No_cancellation()); }
 
   // `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
   std::size_t operator()(Cancellation_point&& cancellation_point)
   {
     std::vector<std::size_t> todo;
-    for (std::size_t v = m_cell_of.size(); v-- != 0; ) {
+    for (std::size_t v = m_cell_of.size(); v-- != 0;) {
       cancellation_point();
       m_defects[v] = m_cell_of[v] == NO_CELL ? 0 : count_defects(v);
       if (m_defects[v] != 0)
@@ -188,10 +185,7 @@ private:
     return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
   }
 
-  std::size_t find_components(std::size_t v)
-  {
-    return m_components.find(m_cells.points()[v], m_cell_of[v]);
-  }
+  std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
 
   // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
   int count_defects(std::size_t v)
@@ -303,7 +297,8 @@ private:
       int change = 0;
       for (std::size_t w : m_touched)
         change += count_defects(w) - m_defects[w];
-      if (change < 0 && (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && g > m_best.gain)))
+      if (change < 0 &&
+          (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && g > m_best.gain)))
         m_best = Move{ cells, change, g };
     }
     flip(cells);
@@ -316,8 +311,9 @@ private:
     m_best = Move{ {}, 0, 0. };
     for (std::vector<Cell_index>& cells : m_components.sorted(find_components(v))) {
       const bool label = m_labelling.label(cells.front());
-      cells.erase(std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
-                  cells.end());
+      cells.erase(
+        std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
+        cells.end());
       if (cells.empty() || (is_filling && label))
         continue;
       const double g = gain(cells);
@@ -375,9 +371,9 @@ private:
   Labelling& m_labelling;
   double m_maximum_loss;
   bool m_keeps_components;
-  std::vector<Cell_index> m_cell_of;  // a cell at each point of the scope that is no hub, else NO_CELL
+  std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
   std::vector<Hub> m_hubs;
-  std::vector<int> m_defects;         // of each point, 0 out of the scope
+  std::vector<int> m_defects; // of each point, 0 out of the scope
   Label_components<Labelling> m_components;
   std::vector<std::size_t> m_touched;
   Move m_best;

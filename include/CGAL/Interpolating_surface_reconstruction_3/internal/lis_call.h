@@ -67,7 +67,8 @@ Lis_options read_lis_options(const NamedParameters& np)
 // Passes a surface on: add_vertex(point, input position) for each vertex, first the samples in the
 // order of the input, then add_triangle(three numbers of vertices) for each triangle.
 template <typename Cloud, typename AddVertex, typename AddTriangle>
-void write_surface(const Cloud& cloud, const Lis_surface& surface, const AddVertex& add_vertex, const AddTriangle& add_triangle)
+void write_surface(const Cloud& cloud, const Lis_surface& surface, const AddVertex& add_vertex,
+                   const AddTriangle& add_triangle)
 {
   std::vector<std::size_t> vertex_of(cloud.size() + surface.added_points.size(), NO_INPUT_INDEX);
   for (const auto& t : surface.triangles)
@@ -77,7 +78,8 @@ void write_surface(const Cloud& cloud, const Lis_surface& surface, const AddVert
   for (Point_index p = 0; p != cloud.size(); ++p)
     if (vertex_of[p] != NO_INPUT_INDEX)
       samples.push_back(p);
-  std::sort(samples.begin(), samples.end(), [&](Point_index p, Point_index q) { return cloud.input_index(p) < cloud.input_index(q); });
+  std::sort(samples.begin(), samples.end(),
+            [&](Point_index p, Point_index q) { return cloud.input_index(p) < cloud.input_index(q); });
   std::size_t next = 0;
   for (Point_index p : samples) {
     vertex_of[p] = next++;
@@ -96,11 +98,11 @@ void write_surface(const Cloud& cloud, const Lis_surface& surface, const AddVert
 template <typename ConcurrencyTag, typename PointRange, typename Write, typename NamedParameters>
 bool reconstruct_lis(const PointRange& points, const Write& write, const NamedParameters& np)
 {
-  static_assert(Only_allowed<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
-                             internal_np::callback_t, internal_np::visitor_t, internal_np::neighbor_radius_t,
-                             internal_np::grid_spacing_t, internal_np::keep_boundaries_t,
-                             internal_np::star_construction_t>::value,
-                "a named parameter is not known to this function");
+  static_assert(
+    Only_allowed<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
+                 internal_np::callback_t, internal_np::visitor_t, internal_np::neighbor_radius_t,
+                 internal_np::grid_spacing_t, internal_np::keep_boundaries_t, internal_np::star_construction_t>::value,
+    "a named parameter is not known to this function");
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using Types = Call_types<PointRange, NamedParameters>;

@@ -92,7 +92,8 @@ private:
   // Of the corners of a cube, bit a of the number is the step along axis a.
   static Index moved(const Index& i, unsigned int corner)
   {
-    return Index{ { i[0] + std::int32_t(corner & 1u), i[1] + std::int32_t(corner >> 1 & 1u), i[2] + std::int32_t(corner >> 2) } };
+    return Index{ { i[0] + std::int32_t(corner & 1u), i[1] + std::int32_t(corner >> 1 & 1u),
+                    i[2] + std::int32_t(corner >> 2) } };
   }
 
   Coordinates coordinates(const Index& i) const
@@ -138,7 +139,8 @@ private:
     }
   }
 
-  void cut_tetrahedron(const Index& cube, const std::array<double, 8>& values, std::array<unsigned int, 4> v, bool is_positive)
+  void cut_tetrahedron(const Index& cube, const std::array<double, 8>& values, std::array<unsigned int, 4> v,
+                       bool is_positive)
   {
     // those inside first; every swap changes the orientation
     std::size_t inside = 0;
@@ -184,9 +186,9 @@ private:
   const Coordinates m_origin;
   const double m_step;
   const std::size_t m_maximum_cells;
-  std::vector<Index> m_cubes;                             // in the order of their visit
+  std::vector<Index> m_cubes; // in the order of their visit
   std::unordered_set<Index, Hash> m_is_visited;
-  std::unordered_map<Index, double, Hash> m_values;       // at the corners
+  std::unordered_map<Index, double, Hash> m_values;                        // at the corners
   std::array<std::unordered_map<Index, std::size_t, Hash>, 8> m_vertex_on; // of the edges, by direction
   std::vector<Coordinates> m_vertices;
   std::vector<Triangle> m_triangles;

@@ -158,8 +158,8 @@ private:
     for (std::size_t i = 0; i != 3; ++i)
       for (std::size_t a = 0; a != 3; ++a)
         rows[i][a] = Exact_rational(m_points[t[i]][int(a)]) - Exact_rational(m_points[reference][int(a)]);
-    return CGAL::determinant(rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2],
-                             rows[2][0], rows[2][1], rows[2][2]);
+    return CGAL::determinant(rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2], rows[2][0],
+                             rows[2][1], rows[2][2]);
   }
 
   const std::vector<Local_point>& m_points;

@@ -39,21 +39,21 @@ class Oriented_energy
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  explicit Oriented_energy(const std::vector<Local_point>& points)
-    : m_points(points)
-  { }
+  explicit Oriented_energy(const std::vector<Local_point>& points) : m_points(points) { }
 
   // Replaces the energy of the labelling. `known(cell, i)` is 1 for a facet that is known to be on the
   // surface, -1 for one known not to be, 0 for one that does not matter, and empty for the others.
   // Returns the cost of a facet known not to be on the surface: more than that of all others.
   template <typename Known, typename Cancellation_point>
-  double operator()(const Cell_complex& cells, Cell_labelling& labelling, const Known& known, Cancellation_point& cancellation_point)
+  double operator()(const Cell_complex& cells, Cell_labelling& labelling, const Known& known,
+                    Cancellation_point& cancellation_point)
   {
     if (m_normals.empty())
       m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
     // Costs are in units of the mean area of the facets of the surface.
     const double unit = estimate_normals(cells, labelling, cancellation_point);
-    const Oriented_labelling oriented(cells, m_points, m_normals, Cell_signs(cells, m_points, m_normals).compute<Sequential_tag>());
+    const Oriented_labelling oriented(cells, m_points, m_normals,
+                                      Cell_signs(cells, m_points, m_normals).compute<Sequential_tag>());
     std::vector<double> areas(cells.size(), 0.);
     double certain = 1.;
     for (Cell_index c = 0; c != cells.size(); ++c)
@@ -70,7 +70,9 @@ public:
         const Oriented_labelling::Facet_energy energy = oriented.facet_energy(c, i);
         return Cell_labelling::Cost{ energy.if_inside / unit, energy.if_outside / unit };
       },
-      [&](Cell_index c) { return Cell_complex::is_infinite(cells[c]) ? 0. : oriented.outside_preference(c, areas[c]) / unit; });
+      [&](Cell_index c) {
+        return Cell_complex::is_infinite(cells[c]) ? 0. : oriented.outside_preference(c, areas[c]) / unit;
+      });
     return certain;
   }
 
@@ -78,7 +80,8 @@ private:
   // Normals of the surface at the sites, weighted by angles, away from the label; returns the mean area of
   // its facets.
   template <typename CancellationPoint>
-  double estimate_normals(const Cell_complex& cells, const Cell_labelling& labelling, CancellationPoint& cancellation_point)
+  double estimate_normals(const Cell_complex& cells, const Cell_labelling& labelling,
+                          CancellationPoint& cancellation_point)
   {
     for (Point_index p : cells.points())
       m_normals[p] = Local_vector(0, 0, 0);
@@ -90,7 +93,8 @@ private:
         const std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
         if (!labelling.label(c) || !labelling.is_surface(c, i) || Cell_complex::is_infinite(f))
           continue;
-        const Local_vector n = (i % 2 == 0 ? .5 : -.5) * cross_product(m_points[f[1]] - m_points[f[0]], m_points[f[2]] - m_points[f[0]]);
+        const Local_vector n =
+          (i % 2 == 0 ? .5 : -.5) * cross_product(m_points[f[1]] - m_points[f[0]], m_points[f[2]] - m_points[f[0]]);
         const double length = std::sqrt(n.squared_length());
         area += length;
         ++facets;

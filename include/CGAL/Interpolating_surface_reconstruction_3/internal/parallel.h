@@ -30,7 +30,8 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 template <typename ConcurrencyTag>
-struct Is_parallel : std::bool_constant<std::is_convertible<ConcurrencyTag, Parallel_tag>::value> { };
+struct Is_parallel : std::bool_constant<std::is_convertible<ConcurrencyTag, Parallel_tag>::value>
+{ };
 
 // Calls body(begin, end) on the blocks [0, block_size), [block_size, 2 block_size), ... of [0, n).
 // Blocks do not depend on the number of threads, so a body that writes to its block only is
@@ -39,16 +40,14 @@ template <typename ConcurrencyTag, typename Body>
 void for_each_block(std::size_t n, std::size_t block_size, const Body& body)
 {
 #ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!std::is_same<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
+  static_assert(!std::is_same<ConcurrencyTag, Parallel_tag>::value, "Parallel_tag is enabled but TBB is unavailable.");
 #else
   if constexpr (Is_parallel<ConcurrencyTag>::value) {
     const std::size_t blocks = (n + block_size - 1) / block_size;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t b = range.begin(); b != range.end(); ++b)
-                          body(b * block_size, (std::min)(n, (b + 1) * block_size));
-                      });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t b = range.begin(); b != range.end(); ++b)
+        body(b * block_size, (std::min)(n, (b + 1) * block_size));
+    });
     return;
   }
 #endif

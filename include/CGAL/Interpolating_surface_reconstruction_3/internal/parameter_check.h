@@ -27,7 +27,8 @@ template <typename NamedParameters, typename... AllowedTags>
 struct Only_allowed;
 
 template <typename... AllowedTags>
-struct Only_allowed<internal_np::No_property, AllowedTags...> : std::true_type { };
+struct Only_allowed<internal_np::No_property, AllowedTags...> : std::true_type
+{ };
 
 template <typename T, typename Tag, typename Base, typename... AllowedTags>
 struct Only_allowed<Named_function_parameters<T, Tag, Base>, AllowedTags...>

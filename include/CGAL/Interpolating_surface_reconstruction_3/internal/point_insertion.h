@@ -33,7 +33,8 @@ template <typename Builder>
 class Point_insertion
 {
 public:
-  Point_insertion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius, Builder& builder)
+  Point_insertion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
+                  Builder& builder)
     : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
   { }
 
@@ -51,8 +52,9 @@ public:
     std::size_t before = m_builder.number_of_points();
     for (std::size_t pass = 0; pass != MAXIMUM_PASSES && unused.size() < before && !progress.is_cancelled(); ++pass) {
       before = unused.size();
-      unused.erase(std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }),
-                   unused.end());
+      unused.erase(
+        std::remove_if(unused.begin(), unused.end(), [&](Point_index p) { return progress.advance(0.) && insert(p); }),
+        unused.end());
     }
     return unused.size();
   }
@@ -139,7 +141,8 @@ private:
   // Replaces the triangle by three around the point.
   bool split_triangle(Point_index p, const Triangle& t)
   {
-    return replace({ t }, { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } });
+    return replace({ t },
+                   { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } });
   }
 
   // Splits the edge opposite to vertex `edge` and the triangles at it in two.
@@ -147,8 +150,7 @@ private:
   {
     const Point_index r = target.triangle[target.edge], u = target.triangle[(target.edge + 1) % 3],
                       v = target.triangle[(target.edge + 2) % 3];
-    std::vector<Triangle> removed{ target.triangle },
-      added{ Triangle{ { r, u, p } }, Triangle{ { p, v, r } } };
+    std::vector<Triangle> removed{ target.triangle }, added{ Triangle{ { r, u, p } }, Triangle{ { p, v, r } } };
     m_builder.open(u);
     for (const auto& corner : m_builder.corners(u)) {
       const Point_index s = corner.a == v ? corner.b : corner.b == v ? corner.a : NO_POINT;

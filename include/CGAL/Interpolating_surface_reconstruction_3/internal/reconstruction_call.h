@@ -55,15 +55,20 @@ struct Call_types
   using Star_construction = Parameter<internal_np::star_construction_t, Restricted_voronoi_star_3>;
   using Stored_visitor = Parameter<internal_np::visitor_t, Default_visitor>;
 
-  static constexpr bool has_normals =
-    !parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value;
+  static constexpr bool has_normals = !parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value;
 };
 
 template <typename Visitor>
-Visitor& unwrap(Visitor& visitor) { return visitor; }
+Visitor& unwrap(Visitor& visitor)
+{
+  return visitor;
+}
 
 template <typename Visitor>
-Visitor& unwrap(std::reference_wrapper<Visitor>& visitor) { return visitor.get(); }
+Visitor& unwrap(std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor.get();
+}
 
 inline double checked_neighbor_radius(double radius)
 {
@@ -156,7 +161,8 @@ bool reconstruct(const PointRange& points, const Output& output, const NamedPara
   const Reconstruction_options options = read_options(np);
   const typename Types::Point_map point_map =
     choose_parameter<typename Types::Point_map>(get_parameter(np, internal_np::point_map));
-  const typename Types::Traits traits = choose_parameter<typename Types::Traits>(get_parameter(np, internal_np::geom_traits));
+  const typename Types::Traits traits =
+    choose_parameter<typename Types::Traits>(get_parameter(np, internal_np::geom_traits));
   const typename Types::Star_construction construction =
     choose_parameter<typename Types::Star_construction>(get_parameter(np, internal_np::star_construction));
   typename Types::Stored_visitor stored_visitor =

@@ -57,8 +57,9 @@ public:
   using Input_triangle = std::array<std::size_t, 3>;
 
   // `normals` are in the order of the cloud, or empty.
-  Reconstruction_stages(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
-                        const Reconstruction_options& options, Progress<Visitor>& progress)
+  Reconstruction_stages(const Cloud& cloud, const std::vector<Local_vector>& normals,
+                        const StarConstruction& construction, const Reconstruction_options& options,
+                        Progress<Visitor>& progress)
     : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress),
       m_predicates(cloud)
   { }
@@ -77,13 +78,15 @@ public:
   std::size_t maximum_neighbors() const
   {
     constexpr std::size_t NO_LIMIT = (std::numeric_limits<std::size_t>::max)(), NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
-    return m_options.keep_boundaries || m_options.maximum_hole_size != NO_LIMIT ? NEIGHBORS_THIS_SIDE_OF_OPENINGS : NO_LIMIT;
+    return m_options.keep_boundaries || m_options.maximum_hole_size != NO_LIMIT ? NEIGHBORS_THIS_SIDE_OF_OPENINGS
+                                                                                : NO_LIMIT;
   }
 
   Star_table build_stars(const Point_octree_3& octree, double share)
   {
     m_progress.begin_stage(Stage::STARS, share);
-    Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(), m_progress, maximum_neighbors());
+    Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(),
+                                                       m_progress, maximum_neighbors());
     m_progress.end_stage(stars.size());
     return stars;
   }

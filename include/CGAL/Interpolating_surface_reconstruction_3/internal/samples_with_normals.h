@@ -26,7 +26,8 @@ namespace internal {
 
 // The points without those that have no usable normal.
 template <typename Types, typename PointRange, typename NamedParameters>
-Point_cloud_3<typename Types::Traits> read_samples(const PointRange& points, const NamedParameters& np, const typename Types::Traits& traits)
+Point_cloud_3<typename Types::Traits> read_samples(const PointRange& points, const NamedParameters& np,
+                                                   const typename Types::Traits& traits)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

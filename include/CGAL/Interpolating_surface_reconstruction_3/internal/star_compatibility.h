@@ -38,7 +38,8 @@ public:
   using Slot = Star_table::Slot;
 
   explicit Star_compatibility(const Star_table& stars)
-    : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_agreement(stars.size(), Agreement::NONE), m_orientations(stars.size())
+    : m_stars(stars), m_slots(stars.number_of_slots(), 0), m_agreement(stars.size(), Agreement::NONE),
+      m_orientations(stars.size())
   { }
 
   // A triangle that is degenerate gets no vote. Ends early, with votes missing, if go_further() is false;
@@ -120,7 +121,12 @@ public:
   Parity_union_find& orientations() { return m_orientations; }
 
 private:
-  enum class Agreement : unsigned char { NONE, WITH_GAP, CLOSED };
+  enum class Agreement : unsigned char
+  {
+    NONE,
+    WITH_GAP,
+    CLOSED
+  };
 
   static constexpr std::size_t POINTS_PER_BLOCK = 4096;
 

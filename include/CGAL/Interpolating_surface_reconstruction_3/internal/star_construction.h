@@ -36,10 +36,16 @@ template <typename NeighborhoodCategory>
 struct Neighborhoods;
 
 template <>
-struct Neighborhoods<Nearest_neighborhood_tag> { using type = Nearest_neighbors; };
+struct Neighborhoods<Nearest_neighborhood_tag>
+{
+  using type = Nearest_neighbors;
+};
 
 template <>
-struct Neighborhoods<Box_neighborhood_tag> { using type = Box_neighborhoods; };
+struct Neighborhoods<Box_neighborhood_tag>
+{
+  using type = Box_neighborhoods;
+};
 
 // Stars of the points of the leaves [begin, end), in the order of the points.
 template <typename StarConstruction>
@@ -47,8 +53,8 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
                                   const StarConstruction& construction, double maximum_radius,
                                   std::size_t maximum_neighbors, std::size_t begin, std::size_t end)
 {
-  typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type
-    neighborhoods(points, octree, maximum_radius);
+  typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type neighborhoods(points, octree,
+                                                                                               maximum_radius);
   // A leaf's points may become certain in any order.
   std::vector<std::vector<Point_index> > links(OCTREE_LEAF_SIZE);
   Star_table::Block block;
@@ -56,16 +62,15 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
   for (std::size_t l = begin; l != end; ++l) {
     const Point_octree_3::Node& leaf = octree.node(octree.leaves()[l]);
     links.resize((std::max)(links.size(), std::size_t(leaf.end - leaf.begin)));
-    neighborhoods.for_each_point(
-      leaf, construction.initial_number_of_neighbors(), maximum_neighbors,
-      [&](Point_index p, const Star_neighborhood& neighborhood) {
-        const bool is_certain = construction(neighborhood, star);
-        std::vector<Point_index>& link = links[p - leaf.begin];
-        link.clear();
-        for (std::uint32_t j : star.link)
-          link.push_back(j == Point_star::GAP ? NO_POINT : neighborhoods.indices()[j]);
-        return is_certain;
-      });
+    neighborhoods.for_each_point(leaf, construction.initial_number_of_neighbors(), maximum_neighbors,
+                                 [&](Point_index p, const Star_neighborhood& neighborhood) {
+                                   const bool is_certain = construction(neighborhood, star);
+                                   std::vector<Point_index>& link = links[p - leaf.begin];
+                                   link.clear();
+                                   for (std::uint32_t j : star.link)
+                                     link.push_back(j == Point_star::GAP ? NO_POINT : neighborhoods.indices()[j]);
+                                   return is_certain;
+                                 });
     for (Point_index p = leaf.begin; p != leaf.end; ++p) {
       const std::vector<Point_index>& link = links[p - leaf.begin];
       block.lengths.push_back(static_cast<std::uint32_t>(link.size()));
@@ -86,7 +91,7 @@ Star_table construct_stars(const std::vector<Local_point>& points, const Point_o
   const std::size_t leaves = octree.leaves().size();
   std::vector<Star_table::Block> blocks((leaves + LEAVES_PER_BLOCK - 1) / LEAVES_PER_BLOCK);
   maximum_neighbors = (std::min)(maximum_neighbors, construction.maximum_number_of_neighbors());
-  std::atomic<std::size_t> done{0};
+  std::atomic<std::size_t> done{ 0 };
   for_each_block<ConcurrencyTag>(leaves, LEAVES_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
     if (progress.advance(double(done += end - begin) / double(leaves)))
       blocks[begin / LEAVES_PER_BLOCK] =

@@ -52,8 +52,8 @@ public:
   using Triangle = typename Builder::Triangle;
 
   Surface_growth(const std::vector<Local_point>& points, Builder& builder)
-    : m_points(points), m_builder(builder), m_front(builder.number_of_points()), m_find_candidate(points, builder, m_front),
-      m_choose_gap(points, m_front)
+    : m_points(points), m_builder(builder), m_front(builder.number_of_points()),
+      m_find_candidate(points, builder, m_front), m_choose_gap(points, m_front)
   { }
 
   // Calls on_verdict(triangle, verdict) for the triangles in the order in which they are attached, or
@@ -118,11 +118,13 @@ private:
       std::vector<std::uint32_t> link;
       for (std::size_t i = begin; i != end; ++i) {
         const Point_index p = static_cast<Point_index>(i);
-        seeds[i] = compatibility.is_point_agreed(p) ? Seed{ !compatibility.is_point_on_boundary(p), planarity(p, link), p }
-                                                    : Seed{ false, 0., NO_POINT };
+        seeds[i] = compatibility.is_point_agreed(p)
+                     ? Seed{ !compatibility.is_point_on_boundary(p), planarity(p, link), p }
+                     : Seed{ false, 0., NO_POINT };
       }
     });
-    seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.center == NO_POINT; }), seeds.end());
+    seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const Seed& seed) { return seed.center == NO_POINT; }),
+                seeds.end());
     return seeds;
   }
 
@@ -165,7 +167,8 @@ private:
   {
     begin_star(seed.center, on_verdict);
     while (!m_queue.empty()) {
-      if (++m_steps % STEPS_PER_POLL == 0 && !progress.advance((std::min)(1., double(m_attached) / (2. * double(m_points.size())))))
+      if (++m_steps % STEPS_PER_POLL == 0 &&
+          !progress.advance((std::min)(1., double(m_attached) / (2. * double(m_points.size())))))
         return false;
       const Entry entry = m_queue.top();
       m_queue.pop();
@@ -177,7 +180,8 @@ private:
 
   bool is_current(const Entry& entry) const
   {
-    return m_front.is_edge(entry.edge) && m_candidates[entry.edge].apex == entry.vertices[2] && sorted_ends(entry.edge) == std::make_pair(entry.vertices[0], entry.vertices[1]);
+    return m_front.is_edge(entry.edge) && m_candidates[entry.edge].apex == entry.vertices[2] &&
+           sorted_ends(entry.edge) == std::make_pair(entry.vertices[0], entry.vertices[1]);
   }
 
   std::pair<Point_index, Point_index> sorted_ends(Edge_index e) const

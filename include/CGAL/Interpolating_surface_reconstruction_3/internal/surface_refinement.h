@@ -40,7 +40,8 @@ public:
   using Triangle = std::array<Point_index, 3>;
 
   // New vertices get the numbers from `positions.size()` on.
-  Surface_refinement(const std::vector<Local_point>& positions, std::vector<Triangle>& triangles, std::vector<Local_point>& added)
+  Surface_refinement(const std::vector<Local_point>& positions, std::vector<Triangle>& triangles,
+                     std::vector<Local_point>& added)
     : m_positions(positions), m_triangles(triangles), m_added(added)
   { }
 
@@ -125,7 +126,8 @@ private:
   Point_index middle(Point_index p, Point_index q) const
   {
     const auto it = std::lower_bound(m_edges.begin(), m_edges.end(), edge(p, q));
-    return it != m_edges.end() && *it == edge(p, q) ? m_first + static_cast<Point_index>(it - m_edges.begin()) : NO_POINT;
+    return it != m_edges.end() && *it == edge(p, q) ? m_first + static_cast<Point_index>(it - m_edges.begin())
+                                                    : NO_POINT;
   }
 
   void split_triangles()
@@ -145,7 +147,8 @@ private:
       else if (splits == 1)
         result.insert(result.end(), { { { t[0], m[0], t[2] } }, { { m[0], t[1], t[2] } } });
       else if (splits == 3)
-        result.insert(result.end(), { { { t[0], m[0], m[2] } }, { { m[0], t[1], m[1] } }, { { m[2], m[1], t[2] } }, m });
+        result.insert(result.end(),
+                      { { { t[0], m[0], m[2] } }, { { m[0], t[1], m[1] } }, { { m[2], m[1], t[2] } }, m });
       else
         split_at_two_edges(t, m, result);
     }

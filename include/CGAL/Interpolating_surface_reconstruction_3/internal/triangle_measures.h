@@ -54,8 +54,7 @@ double regularity(const Location& p, const Location& q, const Location& r)
 // tells which of p and q is next to a; the two triangulations are those of that quadrilateral,
 // because the other order of the vertices makes it cross itself. A tie goes to p.
 template <typename Location>
-bool is_first_more_regular(const Location& a, const Location& b, const Location& p,
-                           const Location& q)
+bool is_first_more_regular(const Location& a, const Location& b, const Location& p, const Location& q)
 {
   const bool is_p_next_to_a = cosine(b - a, p - a) < cosine(b - a, q - a);
   // The diagonal from the first candidate ends at the end of the edge that is next to the second.
@@ -70,8 +69,7 @@ bool is_first_more_regular(const Location& a, const Location& b, const Location&
 // (a, b, c) and (b, a, d): 1 if they continue each other, -1 if they are folded onto each other or
 // if one is degenerate and has no plane.
 template <typename Location>
-double cosine_of_supplementary_angle(const Location& a, const Location& b, const Location& c,
-                                     const Location& d)
+double cosine_of_supplementary_angle(const Location& a, const Location& b, const Location& c, const Location& d)
 {
   const Local_vector n = cross_product(b - a, c - a), m = cross_product(d - a, b - a);
   const double lengths = std::sqrt(n.squared_length()) * std::sqrt(m.squared_length());
@@ -82,8 +80,7 @@ double cosine_of_supplementary_angle(const Location& a, const Location& b, const
 // is cyclic and may have gaps; position(i) is where neighbor i lies. A star without such a pair is
 // the least planar one, because nothing vouches for it.
 template <typename Location, typename Position>
-double planarity_degree(const Location& center, const std::vector<std::uint32_t>& link,
-                        Position position)
+double planarity_degree(const Location& center, const std::vector<std::uint32_t>& link, Position position)
 {
   const std::size_t n = link.size();
   bool has_pair = false;
@@ -93,8 +90,8 @@ double planarity_degree(const Location& center, const std::vector<std::uint32_t>
     if (before == Point_star::GAP || middle == Point_star::GAP || after == Point_star::GAP)
       continue;
     has_pair = true;
-    result = (std::min)(result, cosine_of_supplementary_angle<Location>(
-                                    center, position(middle), position(after), position(before)));
+    result = (std::min)(
+      result, cosine_of_supplementary_angle<Location>(center, position(middle), position(after), position(before)));
   }
   return has_pair ? result : -1.;
 }
@@ -112,8 +109,7 @@ inline bool is_sum_acute(double cosine_a, double cosine_b)
 // Eq. 4.1 for the cosines of the supplementary angles at the three edges of a triangle.
 inline bool fulfils_minimum_planarity(double cosine_a, double cosine_b, double cosine_c)
 {
-  return is_sum_acute(cosine_a, cosine_b) && is_sum_acute(cosine_b, cosine_c) &&
-         is_sum_acute(cosine_c, cosine_a);
+  return is_sum_acute(cosine_a, cosine_b) && is_sum_acute(cosine_b, cosine_c) && is_sum_acute(cosine_c, cosine_a);
 }
 
 } // namespace internal

@@ -34,19 +34,17 @@ using Index_triple = std::array<std::size_t, 3>;
 inline bool are_indices_valid(const std::vector<Index_triple>& triangles, std::size_t number_of_points)
 {
   return std::all_of(triangles.begin(), triangles.end(), [&](const Index_triple& t) {
-    return t[0] < number_of_points && t[1] < number_of_points && t[2] < number_of_points &&
-           t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+    return t[0] < number_of_points && t[1] < number_of_points && t[2] < number_of_points && t[0] != t[1] &&
+           t[1] != t[2] && t[2] != t[0];
   });
 }
 
 template <typename PointRange, typename Traits>
-bool has_degenerate_triangle(const PointRange& points, const std::vector<Index_triple>& triangles,
-                             const Traits& traits)
+bool has_degenerate_triangle(const PointRange& points, const std::vector<Index_triple>& triangles, const Traits& traits)
 {
   const auto collinear = traits.collinear_3_object();
-  return std::any_of(triangles.begin(), triangles.end(), [&](const Index_triple& t) {
-    return collinear(points[t[0]], points[t[1]], points[t[2]]);
-  });
+  return std::any_of(triangles.begin(), triangles.end(),
+                     [&](const Index_triple& t) { return collinear(points[t[0]], points[t[1]], points[t[2]]); });
 }
 
 // A side of a triangle; `vertices` in increasing order.
@@ -79,9 +77,8 @@ inline std::vector<Triangle_side> sorted_sides(const std::vector<Index_triple>& 
 template <typename Visit>
 void for_each_edge(const std::vector<Triangle_side>& sides, Visit visit)
 {
-  for (auto begin = sides.begin(); begin != sides.end(); ) {
-    const auto end = std::find_if(begin, sides.end(),
-                                  [&](const Triangle_side& s) { return !s.is_same_edge(*begin); });
+  for (auto begin = sides.begin(); begin != sides.end();) {
+    const auto end = std::find_if(begin, sides.end(), [&](const Triangle_side& s) { return !s.is_same_edge(*begin); });
     visit(begin, end);
     begin = end;
   }
@@ -140,8 +137,7 @@ inline long euler_characteristic(const std::vector<Index_triple>& triangles)
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(std::size_t n)
-    : m_parents(n)
+  explicit Disjoint_sets(std::size_t n) : m_parents(n)
   {
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
   }
@@ -213,8 +209,7 @@ inline bool is_vertex_manifold(const std::vector<Index_triple>& triangles)
     if (fans.find(corner) == corner)
       vertices.push_back(triangles[corner / 3][corner % 3]);
   std::sort(vertices.begin(), vertices.end());
-  return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end() &&
-         is_edge_manifold(triangles);
+  return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end() && is_edge_manifold(triangles);
 }
 
 // Boundary edges that follow one another around a vertex belong to one loop. Requires a manifold.
@@ -237,8 +232,7 @@ inline std::size_t number_of_boundary_loops(const std::vector<Index_triple>& tri
 
 // What every reconstruction guarantees: valid indices, an oriented 2-manifold, no collinear triangle.
 template <typename PointRange, typename Traits>
-bool is_oriented_manifold(const PointRange& points, const std::vector<Index_triple>& triangles,
-                          const Traits& traits)
+bool is_oriented_manifold(const PointRange& points, const std::vector<Index_triple>& triangles, const Traits& traits)
 {
   return are_indices_valid(triangles, points.size()) && is_vertex_manifold(triangles) &&
          is_consistently_oriented(triangles) && !has_degenerate_triangle(points, triangles, traits);
