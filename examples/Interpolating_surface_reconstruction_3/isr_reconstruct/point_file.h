@@ -4,7 +4,7 @@
 #include "exit_status.h"
 #include "file_extension.h"
 #include "interruption.h"
-#include "ply_header.h"
+#include "ply_vertices.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OBJ.h>
@@ -54,8 +54,9 @@ inline bool read_xyz(std::istream& in, Point_set& points) { return CGAL::IO::rea
 
 inline bool read_ply(std::istream& in, Point_set& points)
 {
-  check_ply_header(in);
-  return CGAL::IO::read_PLY(in, points);
+  Prefixed_streambuf buffer(read_ply_vertex_header(in), in);
+  std::istream vertices(&buffer);
+  return CGAL::IO::read_PLY(vertices, points);
 }
 
 // The number of vertices that an OFF header announces; CGAL's reader accepts fewer.

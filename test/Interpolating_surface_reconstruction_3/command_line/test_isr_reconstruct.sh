@@ -65,10 +65,13 @@ sed 's/^/v /' sphere.xyz > sphere.obj
   printf 'property double x\nproperty double y\nproperty double z\nend_header\n'
   cat sphere.xyz
 } > sphere.ply
+# what stands behind the vertices is not read, however long it claims to be
+sed -e 's/^end_header/element face 1\nproperty list uint int vertex_indices\nend_header/' \
+  -e '$a 4000000000 0 1 2' sphere.ply > sphere_with_face.ply
 succeeds sphere.xyz sphere_mesh.off
 expected=$(triangles)
 check "some triangles" test "$expected" -gt 900
-for input in sphere.pwn sphere.off sphere.obj sphere.ply UPPER.XYZ; do
+for input in sphere.pwn sphere.off sphere.obj sphere.ply sphere_with_face.ply UPPER.XYZ; do
   succeeds "$input" mesh.off
   check "triangles from $input" equal "$(triangles)" "$expected"
   check "mesh from $input" cmp mesh.off sphere_mesh.off
@@ -205,6 +208,11 @@ fails 5 "$work/none.ply" mesh.ply
 printf 'ply\nformat ascii 1.0\nproperty float x\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' \
   > no_element.ply
 fails 6 "$work/no_element.ply" mesh.ply
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty list uint int neighbors\n'
+  printf 'property float x\nproperty float y\nproperty float z\nend_header\n4000000000 0 0 0 0\n'
+} > list.ply
+fails 6 "$work/list.ply" mesh.ply
 head -c 5000 colored.ply > truncated_binary.ply
 fails 6 "$work/truncated_binary.ply" mesh.ply
 head -c 5000 "$data"/colored_sphere.ply > truncated_ascii.ply

@@ -34,7 +34,7 @@ done
 
 for target in "${targets[@]}"; do
   mkdir -p "$build/new_$target"
-  (cd "$build" && "./isr_fuzz_$target" -max_total_time=$((seconds / ${#targets[@]})) -timeout=25 -max_len=1024 \
+  (cd "$build" && "./isr_fuzz_$target" -seed=1 -max_total_time=$((seconds / ${#targets[@]})) -timeout=25 -max_len=1024 \
     -artifact_prefix="$build/broken_$target-" -print_final_stats=1 -verbosity=1 \
     "$build/new_$target" "$here/corpus/$target" 2>&1 | grep -v '^#.*\(NEW\|REDUCE\|pulse\)' | tail -n 40)
 done

@@ -59,6 +59,18 @@ check_text() {
   done
 }
 
+# The layout of the sources; other versions of clang-format have other ideas of the same options.
+check_format() {
+  local formatter=clang-format-14 file
+  if ! command -v $formatter > /dev/null; then
+    echo "$formatter not found: the format is not checked"
+    return
+  fi
+  for file in $(grep -E '\.(h|cpp)$' <<< "$files" | grep -v '^doc/.*/Concepts/'); do
+    $formatter --dry-run -Werror "$file" 2> /dev/null || complain "$file: run $formatter -i"
+  done
+}
+
 # Scripts can be run, other files cannot.
 check_modes() {
   local file
@@ -144,6 +156,7 @@ check_reference() {
 check_headers
 check_words
 check_text
+check_format
 check_modes
 check_names
 check_package_info
