@@ -20,6 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/oriented_energy.h>
@@ -117,7 +118,7 @@ private:
                      OnVerdict on_verdict)
   {
     gather_knowledge(cells, cancellation_point);
-    const Cell_labelling labelling = label(cells, cancellation_point);
+    const Cell_labelling labelling = label(cells, is_first, cancellation_point);
     // Once: stars that contradict the second surface would go on to spread.
     if (is_first && withdraw_contradicted_stars(cells, labelling)) {
       const Cell_complex more_cells = triangulate(cancellation_point);
@@ -129,7 +130,7 @@ private:
   }
 
   template <typename CancellationPoint>
-  Cell_labelling label(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  Cell_labelling label(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point)
   {
     const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
     const auto known = [&](Cell_index c, std::size_t i) { return certainty(m_knowledge[c][i]); };
@@ -149,6 +150,10 @@ private:
       const std::vector<Cell_index> changed = labelling.relax(cancellation_point);
       repair.again(changed, certain / 2, cancellation_point);
     }
+    Label_search<Cell_labelling> search(
+      cells, m_points, labelling, [&](Cell_index c) { return is_free(c) || (is_first && getenv("FREE") && all_in(cells[c])); },
+      [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; });
+    search(cancellation_point);
     return labelling;
   }
 
@@ -224,6 +229,16 @@ private:
     if (knowledge == Knowledge::NONE)
       return std::nullopt;
     return knowledge == Knowledge::ON_SURFACE ? 1. : knowledge == Knowledge::OFF_SURFACE ? -1. : 0.;
+  }
+
+  bool all_in(const Cell_complex::Cell& c) const { for (Point_index p : c.vertices) if (p == NO_POINT || !(is_conflict(p) || m_is_certain[p])) return false; return true; }
+  // Whether no facet of the cell is known to be on the surface or not.
+  bool is_free(Cell_index c) const
+  {
+    for (Knowledge k : m_knowledge[c])
+      if (k == Knowledge::ON_SURFACE || k == Knowledge::OFF_SURFACE)
+        return false;
+    return true;
   }
 
   // The connected part of the surface that the facet belongs to, flipped if the cell lies behind it.

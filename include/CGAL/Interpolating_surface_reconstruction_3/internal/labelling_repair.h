@@ -187,12 +187,7 @@ private:
 
   std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
 
-  // How far the surface is from a manifold at vertex v: 0 if there is one component of each label.
-  int count_defects(std::size_t v)
-  {
-    const int components = static_cast<int>(find_components(v));
-    return components == 1 ? 1 : components - 2;
-  }
+  int count_defects(std::size_t v) { return m_components.defects(m_cells.points()[v], m_cell_of[v]); }
 
   template <typename Cancellation_point>
   void repair(std::vector<std::size_t> todo, Cancellation_point& cancellation_point)
