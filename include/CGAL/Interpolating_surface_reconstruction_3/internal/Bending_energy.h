@@ -15,7 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ public:
   template <typename IsInScope>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                  const IsInScope& is_in_scope)
-    : m_cells(cells), m_points(points), m_labelling(labelling), m_components(cells, labelling),
+    : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
       m_scale(cells.points().size(), 0.)
   {
     std::vector<std::uint32_t> edges(m_scale.size(), 0);
@@ -65,12 +65,13 @@ public:
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
         if (p != NO_POINT && m_scale[position_of(p)] != 0. && m_defects[position_of(p)] < 0)
-          m_defects[position_of(p)] = m_components.defects(p, c);
+          m_defects[position_of(p)] = m_stars.defects(position_of(p), c);
   }
 
   // By how much the energy grows if the cell changes its label. The cell is finite.
   double cost_of_change(Cell_index c)
   {
+    ++evals;
     double result = 0.;
     for (std::size_t i = 0; i != 4; ++i)
       for (std::size_t j = i + 1; j != 4; ++j) {
@@ -90,7 +91,55 @@ public:
     m_labelling.flip(c);
     for (Point_index p : m_cells[c].vertices)
       if (m_scale[position_of(p)] != 0.)
-        m_defects[position_of(p)] = m_components.defects(p, c);
+        m_defects[position_of(p)] = m_stars.defects(position_of(p), c);
+  }
+
+  // The largest angle by which the surface bends at an edge of the cell; a half turn if there is a defect.
+  double bending(Cell_index c)
+  {
+    m_max_bending = 0.;
+    m_track = true;
+    cost_of_change(c);
+    m_track = false;
+    for (Point_index p : m_cells[c].vertices)
+      if (m_scale[position_of(p)] != 0. && m_defects[position_of(p)] > 0)
+        return PI;
+    return m_max_bending;
+  }
+
+  // Whether the surface around the cells has several components, one of which has few points.
+  bool has_split(const std::vector<Cell_index>& changed)
+  {
+    std::vector<std::pair<Point_index, Cell_index> > starts;
+    for (Cell_index c : changed)
+      for (Point_index p : m_cells[c].vertices)
+        starts.emplace_back(p, c);
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), starts.end());
+    std::vector<std::pair<Point_index, Cell_index> > found;
+    std::vector<Point_index> seen;
+    for (const auto& start : starts) {
+      if (std::find(seen.begin(), seen.end(), start.first) != seen.end())
+        continue;
+      found.assign(1, start);
+      for (std::size_t k = 0; k != found.size() && found.size() < 64; ++k) {
+        const Point_index p = found[k].first;
+        m_stars.for_each_cell(position_of(p), found[k].second, [&](Cell_index d) {
+          for (std::size_t i = 0; i != 4; ++i)
+            if (m_cells[d].vertices[i] != p && m_labelling.is_surface(d, i))
+              for (Point_index q : Cell_complex::facet(m_cells[d], i))
+                if (q != NO_POINT && std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == q; }) == found.end())
+                  found.emplace_back(q, d);
+        });
+      }
+      for (const auto& f : found)
+        seen.push_back(f.first);
+      if (found.size() < 64 && found.size() > 1)
+        for (const auto& other : starts)
+          if (std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == other.first; }) == found.end())
+            return true;
+    }
+    return false;
   }
 
   // What a defect costs at the vertices of the cell.
@@ -106,9 +155,7 @@ public:
   template <typename Visit>
   void for_each_cell_at(Point_index p, Cell_index first, const Visit& visit)
   {
-    m_components.find(p, first);
-    for (const auto& star_cell : m_components.cells())
-      visit(star_cell.cell);
+    m_stars.for_each_cell(position_of(p), first, visit);
   }
 
 private:
@@ -184,8 +231,12 @@ private:
     }
     const bool own = m_labelling.label(c);
     m_facets_at_edge = m_apexes.size() + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
-    return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) -
-           energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
+    const double now = energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
+    const bool track = m_track;
+    m_track = false;
+    const double then = energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex);
+    m_track = track;
+    return then - now;
   }
 
   // The energy of an edge with surface facets to m_apexes and to the two others if they are on the surface.
@@ -200,10 +251,13 @@ private:
       return length * double(facets / 2) * (FLAT_SHARE + .5 * PI * PI);
     const Point_index a = inner != 0 ? m_apexes[0] : first, b = inner == 2 ? m_apexes[1] : has_last ? last : first;
     const double bending = a == NO_POINT || b == NO_POINT ? 0. : bending_angle(p, q, a, b);
+    if (m_track && bending > m_max_bending)
+      m_max_bending = bending;
     return length * (FLAT_SHARE + (LIN?bending:.5 * bending * bending));
   }
 
   // Between the planes of triangles p, q, a and q, p, b: 0 if they are flat.
+  double m_max_bending = 0.; bool m_track = false;
   double bending_angle(Point_index p, Point_index q, Point_index a, Point_index b) const
   {
     const Local_vector e = m_points[q] - m_points[p];
@@ -220,9 +274,7 @@ private:
     if (m_scale[v] == 0.)
       return 0.;
     if (m_defects[v] != 0) {
-      m_labelling.flip(c);
-      const int after = m_components.defects(p, c);
-      m_labelling.flip(c);
+      const int after = m_stars.defects(v, c, c);
       return m_scale[v] * double(after - m_defects[v]);
     }
     int arcs = 0, corners = 0;
@@ -238,8 +290,9 @@ private:
   const Cell_complex& m_cells;
   const std::vector<Local_point>& m_points;
   Labelling& m_labelling;
-  Label_components<Labelling> m_components;
+  Label_stars<Labelling> m_stars;
   std::vector<double> m_scale;       // of the vertices: what a defect costs; 0 out of the scope
+public: std::size_t evals = 0; private:
   std::vector<int> m_defects;        // of the vertices, now
   std::vector<Point_index> m_apexes; // of the facets on the surface around an edge
   std::size_t m_facets_at_edge = 0;  // on the surface, around the last edge

@@ -59,6 +59,7 @@ public:
       return;
     m_is_conflict.assign(m_points.size(), 0);
     m_is_site.assign(m_points.size(), 0);
+    m_budget = std::size_t((getenv("BA") ? atof(getenv("BA")) : 5e5) + (getenv("BB") ? atof(getenv("BB")) : 4) * double(m_points.size()));
     m_is_certain.assign(m_points.size(), 0);
     m_facets_at.assign(m_points.size(), 0);
     for (Point_index p : m_clusters.conflicts())
@@ -145,15 +146,17 @@ private:
       cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; }, CERTAIN / 2, false,
       cancellation_point);
     repair(cancellation_point);
-    for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
+    static const std::size_t OR = getenv("OR") ? atoi(getenv("OR")) : 2;
+    for (std::size_t round = 0; round != OR; ++round) {
       const double certain = m_oriented_energy(cells, labelling, known, cancellation_point);
       const std::vector<Cell_index> changed = labelling.relax(cancellation_point);
       repair.again(changed, certain / 2, cancellation_point);
     }
     Label_search<Cell_labelling> search(
       cells, m_points, labelling, [&](Cell_index c) { return is_free(c) || (is_first && getenv("FREE") && all_in(cells[c])); },
+      [&](Cell_index c) { if (!getenv("SEEDC")) return true; for (Point_index p : cells[c].vertices) if (p != NO_POINT && is_conflict(p)) return true; return false; },
       [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; });
-    search(cancellation_point);
+    search(m_budget, cancellation_point);
     return labelling;
   }
 
@@ -391,6 +394,7 @@ private:
   std::vector<Point_index> m_cluster;                  // conflicts of the current cluster
   std::vector<Point_index> m_sites;                    // of the current cluster, increasing
   std::vector<Point_index> m_around;
+  std::size_t m_budget = 0;
 };
 
 } // namespace internal

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+#include <iostream>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
@@ -38,28 +39,32 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   // Only cells with `is_free(c)` change, and only points with `is_in_scope(p)` must be manifold.
-  template <typename IsFree, typename IsInScope>
+  template <typename IsFree, typename IsSeed, typename IsInScope>
   Label_search(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-               const IsFree& is_free, const IsInScope& is_in_scope)
+               const IsFree& is_free, const IsSeed& is_seed, const IsInScope& is_in_scope)
     : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_in_scope),
       m_state(cells.size(), State::FIXED), m_chain_of(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       if (!Cell_complex::is_infinite(cells[c]) && is_free(c))
-        m_state[c] = State::SEED;
+        m_state[c] = is_seed(c) ? State::SEED : State::ASLEEP;
   }
 
+  ~Label_search() { if (getenv("VERB")) std::cerr << "evals " << m_energy.evals << " cells " << m_cells.size() << "\n"; }
   // `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
-  void operator()(Cancellation_point&& cancellation_point)
+  void operator()(std::size_t& budget, Cancellation_point&& cancellation_point)
   {
+    struct Payer { std::size_t& b; Bending_energy<Labelling>& e; ~Payer() { b -= (std::min)(b, e.evals); } } payer{ budget, m_energy };
+    static const double first_loss = getenv("FIRST") ? atof(getenv("FIRST")) : 0.;
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       const std::vector<Link> seeds = find_seeds(cancellation_point);
       if (seeds.empty())
         return;
       for (const Link& seed : seeds) {
         cancellation_point(MICROSECONDS_PER_CHAIN);
-        if (is_at_surface(seed.cell) && search(seed.cell))
+        if (m_energy.evals > budget) return;
+        if (is_at_surface(seed.cell) && (!first_loss || m_energy.cost_of_change(seed.cell) <= first_loss * m_energy.scale(seed.cell)) && search(seed.cell))
           wake();
       }
     }
@@ -112,7 +117,8 @@ private:
       if (m_state[c] == State::SEED) {
         cancellation_point();
         m_state[c] = State::ASLEEP;
-        if (is_at_surface(c))
+        static const double TAU = getenv("TAU") ? atof(getenv("TAU")) * 3.14159265 / 180. : 0.;
+        if (is_at_surface(c) && (TAU == 0. || m_energy.bending(c) > TAU))
           seeds.push_back(Link{ c, m_energy.cost_of_change(c) });
       }
     std::sort(seeds.begin(), seeds.end());
@@ -137,17 +143,36 @@ private:
       const bool is_behind_best = best != 0 && m_links.size() >= best + LINKS_BEHIND_BEST;
       if (m_candidates.empty() || m_links.size() == MAXIMUM_CHAIN || is_behind_best)
         break;
-      const auto next = std::min_element(m_candidates.begin(), m_candidates.end());
-      c = next->cell;
-      *next = m_candidates.back();
-      m_candidates.pop_back();
-      // costs of candidates may be out of date
-      cost += m_energy.cost_of_change(c);
+      c = take_best_candidate(cost);
     }
     for (std::size_t k = m_links.size(); k > best; --k)
       m_energy.change(m_links[k - 1]);
     m_links.resize(best);
+    if (best != 0 && m_energy.has_split(m_links)) {
+      for (std::size_t k = best; k != 0; --k)
+        m_energy.change(m_links[k - 1]);
+      m_links.clear();
+      return false;
+    }
     return best != 0;
+  }
+
+  // The costs of candidates may be out of date.
+  Cell_index take_best_candidate(double& cost)
+  {
+    for (int tries = 0;; ++tries) {
+      const auto next = std::min_element(m_candidates.begin(), m_candidates.end());
+      const Link best = *next;
+      *next = m_candidates.back();
+      m_candidates.pop_back();
+      const double now = m_energy.cost_of_change(best.cell);
+      static const int TRIES = getenv("TRIES") ? atoi(getenv("TRIES")) : 0;
+      if (now <= best.cost || tries >= TRIES || m_candidates.empty()) {
+        cost += now;
+        return best.cell;
+      }
+      m_candidates.push_back(Link{ best.cell, now });
+    }
   }
 
   // Changes the cell; its neighbors become candidates.
@@ -172,7 +197,8 @@ private:
     for (Point_index p : m_cells[c].vertices)
       for (Point_index q : m_cells[d].vertices)
         shared += p == q ? 1 : 0;
-    return shared >= 2;
+    static const int SH = getenv("SH") ? atoi(getenv("SH")) : 2;
+    return shared >= SH;
   }
 
   // What lies around changed cells may change again.

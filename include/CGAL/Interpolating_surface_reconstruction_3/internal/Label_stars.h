@@ -1,0 +1,135 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_STARS_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_STARS_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// The cells around the vertices, to count components of equal labels again and again; every star is
+// collected when it is first asked for.
+template <typename Labelling>
+class Label_stars
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+
+  // The most cells of a star.
+  static constexpr std::size_t MAXIMUM_CELLS = 255;
+
+  Label_stars(const Cell_complex& cells, const Labelling& labelling)
+    : m_cells(cells), m_labelling(labelling), m_components(cells, labelling),
+      m_stars(cells.points().size(), Star{ 0, 0 })
+  { }
+
+  // How far the surface between the labels is from a manifold at vertex v, of which `first` is a cell, with the
+  // label of cell `changed` the other way round: 0 if there is one component of each label.
+  int defects(std::size_t v, Cell_index first, Cell_index changed = NO_CELL)
+  {
+    const Star star = get(v, first);
+    std::array<unsigned char, MAXIMUM_CELLS> labels, stack;
+    for (std::size_t k = 0; k != star.size; ++k) {
+      const Cell_index c = m_star_cells[star.begin + k];
+      labels[k] = m_labelling.label(c) != (c == changed) ? 1 : 0;
+    }
+    int components = 0;
+    for (std::size_t k = 0; k != star.size; ++k) {
+      const unsigned char label = labels[k];
+      if (label == VISITED)
+        continue;
+      ++components;
+      std::size_t height = 0;
+      stack[height++] = static_cast<unsigned char>(k);
+      labels[k] = VISITED;
+      while (height != 0)
+        for (unsigned char n : m_neighbors[star.begin + stack[--height]])
+          if (labels[n] == label) {
+            labels[n] = VISITED;
+            stack[height++] = n;
+          }
+    }
+    return components == 1 ? 1 : components - 2;
+  }
+
+  // Calls visit(cell) for the cells at vertex v, of which `first` is one.
+  template <typename Visit>
+  void for_each_cell(std::size_t v, Cell_index first, const Visit& visit)
+  {
+    const Star star = get(v, first);
+    for (std::size_t k = star.begin; k != star.begin + star.size; ++k)
+      visit(m_star_cells[k]);
+  }
+
+private:
+  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
+  static constexpr unsigned char VISITED = 2;
+
+  // Positions in m_star_cells.
+  struct Star
+  {
+    std::uint32_t begin, size;
+  };
+
+  Star get(std::size_t v, Cell_index first)
+  {
+    Star& star = m_stars[v];
+    if (star.size == 0)
+      star = collect(m_cells.points()[v], first);
+    return star;
+  }
+
+  Star collect(Point_index p, Cell_index first)
+  {
+    m_components.find(p, first);
+    const std::size_t begin = m_star_cells.size();
+    for (const auto& star_cell : m_components.cells())
+      m_star_cells.push_back(star_cell.cell);
+    const auto first_cell = m_star_cells.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first_cell, m_star_cells.end());
+    for (auto it = first_cell; it != m_star_cells.end(); ++it) {
+      std::array<unsigned char, 3> neighbors{};
+      std::size_t k = 0;
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_cells[*it].vertices[i] != p)
+          neighbors[k++] = static_cast<unsigned char>(
+            std::lower_bound(first_cell, m_star_cells.end(), m_cells[*it].neighbors[i]) - first_cell);
+      m_neighbors.push_back(neighbors);
+    }
+    return Star{ static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_star_cells.size() - begin) };
+  }
+
+  const Cell_complex& m_cells;
+  const Labelling& m_labelling;
+  Label_components<Labelling> m_components;
+  std::vector<Star> m_stars;             // of each vertex
+  std::vector<Cell_index> m_star_cells;  // increasing in each star
+  std::vector<std::array<unsigned char, 3> > m_neighbors; // of each of them, in its star
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_STARS_H
