@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,7 +32,7 @@ namespace internal {
 // The energy of the surface between two labels of the cells of a Delaunay triangulation: every edge costs
 // its length times half of the square of the angle by which the surface bends there, and a small share of
 // its length, which is what remains to be decided where the surface is flat. A point at which the surface is
-// no manifold costs several edges. Of all surfaces through the points, the flattest is seldom wrong, even
+// no manifold costs several edges. Of all surfaces through the points the flattest is seldom wrong, even
 // where the points are too sparse for the shapes of the triangles to tell (thesis 4.2.2: coplanarity).
 template <typename Labelling>
 class Bending_energy
@@ -41,37 +40,33 @@ class Bending_energy
 public:
   using Cell_index = Cell_complex::Cell_index;
 
+  // Only points with `is_in_scope(p)` must be manifold. From now on, all labels change by change().
   template <typename IsInScope>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                  const IsInScope& is_in_scope)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
-      m_scale(cells.points().size(), 0.)
+      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0)
   {
-    std::vector<std::uint32_t> edges(m_scale.size(), 0);
-    const std::vector<std::uint32_t> none = edges;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i)
-        if (cells[c].neighbors[i] > c && labelling.is_surface(c, i))
-          add_lengths(Cell_complex::facet(cells[c], i), edges, none);
-    // Around points off the surface, all edges.
-    const std::vector<std::uint32_t> edges_of_surface = edges;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i)
-        if (cells[c].neighbors[i] > c)
-          add_lengths(Cell_complex::facet(cells[c], i), edges, edges_of_surface);
-    for (std::size_t v = 0; v != m_scale.size(); ++v)
-      m_scale[v] = is_in_scope(cells.points()[v]) && edges[v] != 0 ? DEFECT_EDGES * m_scale[v] / edges[v] : 0.;
-    m_defects.assign(m_scale.size(), -1);
+    find_defect_costs(is_in_scope);
+    std::vector<unsigned char> is_counted(m_defects.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && m_scale[position_of(p)] != 0. && m_defects[position_of(p)] < 0)
-          m_defects[position_of(p)] = m_stars.defects(position_of(p), c);
+        if (p != NO_POINT && !is_counted[position_of(p)]) {
+          is_counted[position_of(p)] = 1;
+          count_defects(position_of(p), c);
+        }
   }
 
-  // By how much the energy grows if the cell changes its label. The cell is finite.
+  // Whether the energy around the finite cell can be told: no vertex is a hub, a point of very many cells.
+  bool has_no_hub(Cell_index c) const
+  {
+    return std::none_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
+                        [&](Point_index p) { return m_stars.is_hub(position_of(p)); });
+  }
+
+  // By how much the energy grows if the finite cell without hub changes its label.
   double cost_of_change(Cell_index c)
   {
-    ++evals;
     double result = 0.;
     for (std::size_t i = 0; i != 4; ++i)
       for (std::size_t j = i + 1; j != 4; ++j) {
@@ -85,112 +80,72 @@ public:
     return result;
   }
 
-  // Changes the label of the cell.
+  // Changes the label of the finite cell.
   void change(Cell_index c)
   {
     m_labelling.flip(c);
     for (Point_index p : m_cells[c].vertices)
-      if (m_scale[position_of(p)] != 0.)
-        m_defects[position_of(p)] = m_stars.defects(position_of(p), c);
+      count_defects(position_of(p), c);
   }
 
-  // The largest angle by which the surface bends at an edge of the cell; a half turn if there is a defect.
-  double bending(Cell_index c)
-  {
-    m_max_bending = 0.;
-    m_track = true;
-    cost_of_change(c);
-    m_track = false;
-    for (Point_index p : m_cells[c].vertices)
-      if (m_scale[position_of(p)] != 0. && m_defects[position_of(p)] > 0)
-        return PI;
-    return m_max_bending;
-  }
-
-  // Whether the surface around the cells has several components, one of which has few points.
-  bool has_split(const std::vector<Cell_index>& changed)
-  {
-    std::vector<std::pair<Point_index, Cell_index> > starts;
-    for (Cell_index c : changed)
-      for (Point_index p : m_cells[c].vertices)
-        starts.emplace_back(p, c);
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), starts.end());
-    std::vector<std::pair<Point_index, Cell_index> > found;
-    std::vector<Point_index> seen;
-    for (const auto& start : starts) {
-      if (std::find(seen.begin(), seen.end(), start.first) != seen.end())
-        continue;
-      found.assign(1, start);
-      for (std::size_t k = 0; k != found.size() && found.size() < 64; ++k) {
-        const Point_index p = found[k].first;
-        m_stars.for_each_cell(position_of(p), found[k].second, [&](Cell_index d) {
-          for (std::size_t i = 0; i != 4; ++i)
-            if (m_cells[d].vertices[i] != p && m_labelling.is_surface(d, i))
-              for (Point_index q : Cell_complex::facet(m_cells[d], i))
-                if (q != NO_POINT && std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == q; }) == found.end())
-                  found.emplace_back(q, d);
-        });
-      }
-      for (const auto& f : found)
-        seen.push_back(f.first);
-      if (found.size() < 64 && found.size() > 1)
-        for (const auto& other : starts)
-          if (std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == other.first; }) == found.end())
-            return true;
-    }
-    return false;
-  }
-
-  // What a defect costs at the vertices of the cell.
-  double scale(Cell_index c) const
+  // What a defect costs at the vertices of the finite cell, at most.
+  double cost_of_defect(Cell_index c) const
   {
     double result = 0.;
     for (Point_index p : m_cells[c].vertices)
-      result = (std::max)(result, m_scale[position_of(p)]);
+      result = (std::max)(result, m_defect_costs[position_of(p)]);
     return result;
   }
 
-  // Calls visit(cell) for the cells at the point, of which `first` is one.
-  template <typename Visit>
-  void for_each_cell_at(Point_index p, Cell_index first, const Visit& visit)
-  {
-    m_stars.for_each_cell(position_of(p), first, visit);
-  }
+  Label_stars<Labelling>& stars() { return m_stars; }
 
 private:
   // Edges of mean length that a defect costs.
-  inline static double DEFECT_EDGES = getenv("DEF")?atof(getenv("DEF")):3.;
+  static constexpr double DEFECT_EDGES = 3.;
 
-  // Worth of an edge without bending.
-  inline static double FLAT_SHARE = getenv("FLAT")?atof(getenv("FLAT")):.1;
+  // Worth of an edge where the surface is flat.
+  static constexpr double FLAT_SHARE = .1;
 
-  inline static const bool LIN = getenv("LIN");
   static constexpr double PI = 3.14159265358979323846;
 
-  std::size_t position_of(Point_index p) const
+  std::size_t position_of(Point_index p) const { return m_cells.position(p); }
+
+  // After the mean length of the edges of the surface at a point, or of all edges if it is off the surface.
+  template <typename IsInScope>
+  void find_defect_costs(const IsInScope& is_in_scope)
   {
-    const std::vector<Point_index>& points = m_cells.points();
-    if (p < points.size() && points[p] == p)
-      return p;
-    return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+    std::vector<std::uint32_t> edges(m_defect_costs.size(), 0), edges_of_surface(m_defect_costs.size(), 0);
+    for (const bool is_surface : { true, false }) {
+      for (Cell_index c = 0; c != m_cells.size(); ++c)
+        for (std::size_t i = 0; i != 4; ++i)
+          if (m_cells[c].neighbors[i] > c && (!is_surface || m_labelling.is_surface(c, i)))
+            add_edges(Cell_complex::facet(m_cells[c], i), edges_of_surface, edges);
+      edges_of_surface = edges;
+    }
+    for (std::size_t v = 0; v != m_defect_costs.size(); ++v)
+      m_defect_costs[v] =
+        edges[v] != 0 && is_in_scope(m_cells.points()[v]) ? DEFECT_EDGES * m_defect_costs[v] / edges[v] : 0.;
   }
 
-  // At the points that have none of the edges to leave out.
-  void add_lengths(const std::array<Point_index, 3>& f, std::vector<std::uint32_t>& edges,
-                   const std::vector<std::uint32_t>& others)
+  // Adds and counts the lengths of the edges of a facet at the points that have no others.
+  void add_edges(const std::array<Point_index, 3>& f, const std::vector<std::uint32_t>& others,
+                 std::vector<std::uint32_t>& edges)
   {
     if (Cell_complex::is_infinite(f))
       return;
     for (std::size_t i = 0; i != 3; ++i) {
-      const double length = std::sqrt((m_points[f[i]] - m_points[f[(i + 1) % 3]]).squared_length());
-      for (Point_index p : { f[i], f[(i + 1) % 3] }) {
+      const std::array<Point_index, 2> edge{ { f[i], f[(i + 1) % 3] } };
+      for (Point_index p : edge)
         if (others[position_of(p)] == 0) {
-          m_scale[position_of(p)] += length;
+          m_defect_costs[position_of(p)] += length(edge[0], edge[1]);
           ++edges[position_of(p)];
         }
-      }
     }
+  }
+
+  double length(Point_index p, Point_index q) const
+  {
+    return std::sqrt((m_points[q] - m_points[p]).squared_length());
   }
 
   // The change of the energy of the edge between vertices i and j.
@@ -231,12 +186,8 @@ private:
     }
     const bool own = m_labelling.label(c);
     m_facets_at_edge = m_apexes.size() + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
-    const double now = energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
-    const bool track = m_track;
-    m_track = false;
-    const double then = energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex);
-    m_track = track;
-    return then - now;
+    return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) -
+           energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
   }
 
   // The energy of an edge with surface facets to m_apexes and to the two others if they are on the surface.
@@ -246,18 +197,14 @@ private:
     const std::size_t inner = m_apexes.size(), facets = inner + (has_first ? 1 : 0) + (has_last ? 1 : 0);
     if (facets == 0)
       return 0.;
-    const double length = std::sqrt((m_points[q] - m_points[p]).squared_length());
     if (facets != 2)
-      return length * double(facets / 2) * (FLAT_SHARE + .5 * PI * PI);
+      return length(p, q) * double(facets / 2) * (FLAT_SHARE + .5 * PI * PI);
     const Point_index a = inner != 0 ? m_apexes[0] : first, b = inner == 2 ? m_apexes[1] : has_last ? last : first;
     const double bending = a == NO_POINT || b == NO_POINT ? 0. : bending_angle(p, q, a, b);
-    if (m_track && bending > m_max_bending)
-      m_max_bending = bending;
-    return length * (FLAT_SHARE + (LIN?bending:.5 * bending * bending));
+    return length(p, q) * (FLAT_SHARE + .5 * bending * bending);
   }
 
   // Between the planes of triangles p, q, a and q, p, b: 0 if they are flat.
-  double m_max_bending = 0.; bool m_track = false;
   double bending_angle(Point_index p, Point_index q, Point_index a, Point_index b) const
   {
     const Local_vector e = m_points[q] - m_points[p];
@@ -271,11 +218,11 @@ private:
   {
     const Point_index p = m_cells[c].vertices[i];
     const std::size_t v = position_of(p);
-    if (m_scale[v] == 0.)
+    if (m_defect_costs[v] == 0.)
       return 0.;
     if (m_defects[v] != 0) {
       const int after = m_stars.defects(v, c, c);
-      return m_scale[v] * double(after - m_defects[v]);
+      return m_defect_costs[v] * double(after - m_defects[v]);
     }
     int arcs = 0, corners = 0;
     for (std::size_t j = 0; j != 4; ++j)
@@ -284,18 +231,22 @@ private:
         corners += m_is_edge_on_surface[i][j] ? 1 : 0;
       }
     const int defects = arcs == 0 ? (std::max)(corners, 1) : arcs == 1 ? corners - 2 : arcs == 2 ? 0 : 1;
-    return m_scale[v] * double(defects);
+    return m_defect_costs[v] * double(defects);
+  }
+
+  void count_defects(std::size_t v, Cell_index first)
+  {
+    m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v, first);
   }
 
   const Cell_complex& m_cells;
   const std::vector<Local_point>& m_points;
   Labelling& m_labelling;
   Label_stars<Labelling> m_stars;
-  std::vector<double> m_scale;       // of the vertices: what a defect costs; 0 out of the scope
-public: std::size_t evals = 0; private:
-  std::vector<int> m_defects;        // of the vertices, now
-  std::vector<Point_index> m_apexes; // of the facets on the surface around an edge
-  std::size_t m_facets_at_edge = 0;  // on the surface, around the last edge
+  std::vector<double> m_defect_costs; // of the vertices; 0 out of the scope
+  std::vector<int> m_defects;         // of the vertices, now
+  std::vector<Point_index> m_apexes;  // of the facets on the surface around an edge
+  std::size_t m_facets_at_edge = 0;   // on the surface, around the last edge
   // Of the last cell.
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
   std::array<bool, 4> m_is_facet_on_surface{};

@@ -36,26 +36,31 @@ class Label_stars
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // The most cells of a star.
-  static constexpr std::size_t MAXIMUM_CELLS = 255;
-
   Label_stars(const Cell_complex& cells, const Labelling& labelling)
     : m_cells(cells), m_labelling(labelling), m_components(cells, labelling),
-      m_stars(cells.points().size(), Star{ 0, 0 })
-  { }
+      m_sizes(cells.points().size(), 0), m_begins(cells.points().size(), NO_STAR)
+  {
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (Point_index p : cells[c].vertices)
+        if (p != NO_POINT)
+          ++m_sizes[cells.position(p)];
+  }
 
-  // How far the surface between the labels is from a manifold at vertex v, of which `first` is a cell, with the
+  // Whether the vertex has more cells than a star can have.
+  bool is_hub(std::size_t v) const { return m_sizes[v] > MAXIMUM_CELLS; }
+
+  // For a vertex that is no hub: how far the surface between the labels is from a manifold at vertex v, of which `first` is a cell, with the
   // label of cell `changed` the other way round: 0 if there is one component of each label.
   int defects(std::size_t v, Cell_index first, Cell_index changed = NO_CELL)
   {
-    const Star star = get(v, first);
+    const std::size_t begin = find_star(v, first), size = m_sizes[v];
     std::array<unsigned char, MAXIMUM_CELLS> labels, stack;
-    for (std::size_t k = 0; k != star.size; ++k) {
-      const Cell_index c = m_star_cells[star.begin + k];
+    for (std::size_t k = 0; k != size; ++k) {
+      const Cell_index c = m_star_cells[begin + k];
       labels[k] = m_labelling.label(c) != (c == changed) ? 1 : 0;
     }
     int components = 0;
-    for (std::size_t k = 0; k != star.size; ++k) {
+    for (std::size_t k = 0; k != size; ++k) {
       const unsigned char label = labels[k];
       if (label == VISITED)
         continue;
@@ -64,7 +69,7 @@ public:
       stack[height++] = static_cast<unsigned char>(k);
       labels[k] = VISITED;
       while (height != 0)
-        for (unsigned char n : m_neighbors[star.begin + stack[--height]])
+        for (unsigned char n : m_neighbors[begin + stack[--height]])
           if (labels[n] == label) {
             labels[n] = VISITED;
             stack[height++] = n;
@@ -73,40 +78,40 @@ public:
     return components == 1 ? 1 : components - 2;
   }
 
-  // Calls visit(cell) for the cells at vertex v, of which `first` is one.
+  // Calls visit(cell) for the cells at vertex v, which is no hub, of which `first` is one.
   template <typename Visit>
   void for_each_cell(std::size_t v, Cell_index first, const Visit& visit)
   {
-    const Star star = get(v, first);
-    for (std::size_t k = star.begin; k != star.begin + star.size; ++k)
+    const std::size_t begin = find_star(v, first);
+    for (std::size_t k = begin; k != begin + m_sizes[v]; ++k)
       visit(m_star_cells[k]);
   }
 
 private:
   static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
+  static constexpr std::uint32_t NO_STAR = static_cast<std::uint32_t>(-1);
   static constexpr unsigned char VISITED = 2;
 
-  // Positions in m_star_cells.
-  struct Star
-  {
-    std::uint32_t begin, size;
-  };
+  // Positions in a star take one byte.
+  static constexpr std::size_t MAXIMUM_CELLS = 255;
 
-  Star get(std::size_t v, Cell_index first)
+  // The position of the star in m_star_cells.
+  std::size_t find_star(std::size_t v, Cell_index first)
   {
-    Star& star = m_stars[v];
-    if (star.size == 0)
-      star = collect(m_cells.points()[v], first);
-    return star;
+    if (m_begins[v] == NO_STAR) {
+      m_begins[v] = static_cast<std::uint32_t>(m_star_cells.size());
+      collect(m_cells.points()[v], first);
+    }
+    return m_begins[v];
   }
 
-  Star collect(Point_index p, Cell_index first)
+  void collect(Point_index p, Cell_index first)
   {
     m_components.find(p, first);
-    const std::size_t begin = m_star_cells.size();
+    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(m_star_cells.size());
     for (const auto& star_cell : m_components.cells())
       m_star_cells.push_back(star_cell.cell);
-    const auto first_cell = m_star_cells.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto first_cell = m_star_cells.begin() + begin;
     std::sort(first_cell, m_star_cells.end());
     for (auto it = first_cell; it != m_star_cells.end(); ++it) {
       std::array<unsigned char, 3> neighbors{};
@@ -117,13 +122,13 @@ private:
             std::lower_bound(first_cell, m_star_cells.end(), m_cells[*it].neighbors[i]) - first_cell);
       m_neighbors.push_back(neighbors);
     }
-    return Star{ static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_star_cells.size() - begin) };
   }
 
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
   Label_components<Labelling> m_components;
-  std::vector<Star> m_stars;             // of each vertex
+  std::vector<std::uint32_t> m_sizes;    // of the star of each vertex
+  std::vector<std::uint32_t> m_begins;   // of the star of each vertex in m_star_cells, or NO_STAR
   std::vector<Cell_index> m_star_cells;  // increasing in each star
   std::vector<std::array<unsigned char, 3> > m_neighbors; // of each of them, in its star
 };

@@ -153,10 +153,9 @@ private:
       repair.again(changed, certain / 2, cancellation_point);
     }
     Label_search<Cell_labelling> search(
-      cells, m_points, labelling, [&](Cell_index c) { return is_free(c) || (is_first && getenv("FREE") && all_in(cells[c])); },
-      [&](Cell_index c) { if (!getenv("SEEDC")) return true; for (Point_index p : cells[c].vertices) if (p != NO_POINT && is_conflict(p)) return true; return false; },
-      [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; });
-    search(m_budget, cancellation_point);
+      cells, m_points, labelling, [&](Cell_index c) { return may_withdraw ? is_in_scope(cells[c]) : is_undecided(c); },
+      is_in_scope_of_repair);
+    search(m_search_effort, cancellation_point);
     return labelling;
   }
 

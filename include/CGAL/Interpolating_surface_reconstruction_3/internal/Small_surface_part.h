@@ -1,0 +1,134 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SMALL_SURFACE_PART_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SMALL_SURFACE_PART_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Whether the surface between the labels at the vertices of some cells consists of several components, one of
+// which has few points. Hubs end the search.
+template <typename Labelling>
+class Small_surface_part
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+
+  Small_surface_part(const Cell_complex& cells, const Labelling& labelling, Label_stars<Labelling>& stars)
+    : m_cells(cells), m_labelling(labelling), m_stars(stars)
+  { }
+
+  bool operator()(const std::vector<Cell_index>& cells)
+  {
+    find_starts(cells);
+    std::vector<Point_index> reached;
+    for (const Place& start : m_starts) {
+      if (std::find(reached.begin(), reached.end(), start.point) != reached.end())
+        continue;
+      const bool is_small = walk(start);
+      if (is_small && std::any_of(m_starts.begin(), m_starts.end(), [&](const Place& s) { return !has_reached(s.point); }))
+        return true;
+      for (const Place& place : m_reached)
+        reached.push_back(place.point);
+    }
+    return false;
+  }
+
+private:
+  // Points that a component has at least. What is cut off by a chain of changes has fewer.
+  static constexpr std::size_t MINIMUM_POINTS = 64;
+
+  // A point and one of its cells.
+  struct Place
+  {
+    Point_index point;
+    Cell_index cell;
+    bool operator<(const Place& other) const { return point < other.point; }
+  };
+
+  bool has_reached(Point_index p) const
+  {
+    return std::any_of(m_reached.begin(), m_reached.end(), [p](const Place& place) { return place.point == p; });
+  }
+
+  // The vertices on the surface.
+  void find_starts(const std::vector<Cell_index>& cells)
+  {
+    m_starts.clear();
+    for (Cell_index c : cells)
+      for (Point_index p : m_cells[c].vertices)
+        if (p != NO_POINT)
+          m_starts.push_back(Place{ p, c });
+    std::stable_sort(m_starts.begin(), m_starts.end());
+    const auto is_same = [](const Place& a, const Place& b) { return a.point == b.point; };
+    m_starts.erase(std::unique(m_starts.begin(), m_starts.end(), is_same), m_starts.end());
+    const auto is_off_surface = [&](const Place& place) {
+      bool result = true;
+      for_each_neighbor(place, [&](const Place&) { result = false; });
+      return result;
+    };
+    m_starts.erase(std::remove_if(m_starts.begin(), m_starts.end(), is_off_surface), m_starts.end());
+  }
+
+  // Walks over the surface until it ends or has enough points; returns whether it has ended.
+  bool walk(const Place& start)
+  {
+    m_reached.assign(1, start);
+    for (std::size_t k = 0; k != m_reached.size(); ++k) {
+      if (m_reached.size() >= MINIMUM_POINTS || m_stars.is_hub(m_cells.position(m_reached[k].point)))
+        return false;
+      for_each_neighbor(m_reached[k], [&](const Place& neighbor) {
+        if (!has_reached(neighbor.point))
+          m_reached.push_back(neighbor);
+      });
+    }
+    return true;
+  }
+
+  // Calls visit(place) for the points connected to a point by edges of the surface.
+  template <typename Visit>
+  void for_each_neighbor(const Place place, const Visit& visit)
+  {
+    const std::size_t v = m_cells.position(place.point);
+    if (m_stars.is_hub(v))
+      return;
+    m_stars.for_each_cell(v, place.cell, [&](Cell_index c) {
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_cells[c].vertices[i] != place.point && m_labelling.is_surface(c, i))
+          for (Point_index p : Cell_complex::facet(m_cells[c], i))
+            if (p != NO_POINT && p != place.point)
+              visit(Place{ p, c });
+    });
+  }
+
+  const Cell_complex& m_cells;
+  const Labelling& m_labelling;
+  Label_stars<Labelling>& m_stars;
+  std::vector<Place> m_starts, m_reached;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SMALL_SURFACE_PART_H
