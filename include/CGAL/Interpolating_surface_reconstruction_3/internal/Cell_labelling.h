@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -53,27 +54,18 @@ public:
                  Cancellation_point&& cancellation_point)
     : m_cells(cells), m_labels(cells.size(), 0), m_costs(cells.size()), m_preferences(cells.size(), 0.)
   {
-    Parity_union_find sides(cells.size());
-    std::unordered_map<Parity_union_find::Element, Parity_union_find::Element> sides_of_charts;
-    std::vector<Facet> facets;
     for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        const Cell_index n = cells[c].neighbors[i];
-        if (n < c)
-          continue;
-        cancellation_point();
-        const double w = weight(c, i);
-        set_cost(c, i, Cost{ -w, -w });
-        facets.push_back(Facet{ std::abs(w), c, n, w > 0. });
-        if (const std::optional<Oriented_root> side = chart(c, i)) {
-          const auto it = sides_of_charts.emplace(side->root, static_cast<Parity_union_find::Element>(sides.size()));
-          if (it.second)
-            sides.add();
-          sides.unite(it.first->second, c, side->is_flipped);
-          sides.unite(it.first->second, n, !side->is_flipped);
+      for (std::size_t i = 0; i != 4; ++i)
+        if (cells[c].neighbors[i] >= c) {
+          cancellation_point();
+          const double w = weight(c, i);
+          set_cost(c, i, Cost{ -w, -w });
         }
-      }
-    contract(facets, sides, cancellation_point);
+    Parity_union_find sides(cells.size());
+    follow_charts(chart, sides, cancellation_point);
+    follow_facets(sides, cancellation_point);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      m_labels[c] = sides.find(c).is_flipped ? 1 : 0;
     relax(cancellation_point);
   }
 
@@ -143,44 +135,78 @@ private:
   struct Facet
   {
     double certainty;
-    Cell_index first, second;
-    bool is_separating;
+    Cell_index cell;
+    std::uint32_t index;
+
+    bool operator<(const Facet& other) const
+    {
+      if (certainty != other.certainty)
+        return certainty > other.certainty;
+      return cell < other.cell || (cell == other.cell && index < other.index);
+    }
   };
 
   void set_cost(Cell_index c, std::size_t i, const Cost& cost)
   {
     const Cell_index n = m_cells[c].neighbors[i];
     m_costs[c][i] = cost;
-    m_costs[n][index_of(n, c, i)] = Cost{ cost.if_clear, cost.if_set };
+    m_costs[n][m_cells.mirror(c, i)] = Cost{ cost.if_clear, cost.if_set };
   }
 
-  // The facet of `cell` towards `neighbor` that is facet i of `neighbor`. Small triangulations may have
-  // cells that share two facets.
-  std::size_t index_of(Cell_index cell, Cell_index neighbor, std::size_t i) const
+  template <typename Chart, typename Cancellation_point>
+  void follow_charts(const Chart& chart, Parity_union_find& sides, Cancellation_point& cancellation_point) const
   {
-    const auto& vertices = m_cells[cell].vertices;
-    const auto facet = Cell_complex::facet(m_cells[neighbor], i);
-    for (std::size_t j = 0; j != 4; ++j)
-      if (m_cells[cell].neighbors[j] == neighbor && std::find(facet.begin(), facet.end(), vertices[j]) == facet.end())
-        return j;
-    return 0;
+    std::unordered_map<Parity_union_find::Element, Parity_union_find::Element> sides_of_charts;
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        const Cell_index n = m_cells[c].neighbors[i];
+        if (n < c)
+          continue;
+        cancellation_point();
+        if (const std::optional<Oriented_root> side = chart(c, i)) {
+          const auto it = sides_of_charts.emplace(side->root, static_cast<Parity_union_find::Element>(sides.size()));
+          if (it.second)
+            sides.add();
+          sides.unite(it.first->second, c, side->is_flipped);
+          sides.unite(it.first->second, n, !side->is_flipped);
+        }
+      }
   }
 
-  // Follows the charts, and then the facets from the most certain one; a facet that contradicts more certain ones is
-  // ignored.
+  // From the most certain facet on; one that contradicts more certain ones is ignored. Those that are most
+  // certain, which are many, come without sorting, and leave few to be sorted.
   template <typename Cancellation_point>
-  void contract(std::vector<Facet>& facets, Parity_union_find& sides, Cancellation_point& cancellation_point)
+  void follow_facets(Parity_union_find& sides, Cancellation_point& cancellation_point) const
   {
-    std::stable_sort(facets.begin(), facets.end(), [&](const Facet& a, const Facet& b) {
-      cancellation_point();
-      return a.certainty > b.certainty;
-    });
+    const auto certainty = [&](Cell_index c, std::size_t i) { return std::abs(m_costs[c][i].if_set); };
+    double most = 0.;
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i)
+        most = (std::max)(most, certainty(c, i));
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_cells[c].neighbors[i] >= c && certainty(c, i) == most) {
+          cancellation_point();
+          follow(c, i, sides);
+        }
+    std::vector<Facet> facets;
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::uint32_t i = 0; i != 4; ++i)
+        if (m_cells[c].neighbors[i] >= c && certainty(c, i) != most &&
+            sides.find(c).root != sides.find(m_cells[c].neighbors[i]).root) {
+          cancellation_point();
+          facets.push_back(Facet{ certainty(c, i), c, i });
+        }
+    std::sort(facets.begin(), facets.end());
     for (const Facet& f : facets) {
       cancellation_point();
-      sides.unite(f.first, f.second, f.is_separating);
+      follow(f.cell, f.index, sides);
     }
-    for (Cell_index c = 0; c != m_cells.size(); ++c)
-      m_labels[c] = sides.find(c).is_flipped ? 1 : 0;
+  }
+
+  void follow(Cell_index c, std::size_t i, Parity_union_find& sides) const
+  {
+    sides.unite(c, m_cells[c].neighbors[i], m_costs[c][i].if_set < 0.);
   }
 
   const Cell_complex& m_cells;

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Site_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
@@ -102,30 +103,30 @@ private:
     m_sites.clear();
     for (Point_index p : cluster)
       add_to_cluster(p);
-    Cell_complex cells = triangulate(cancellation_point);
-    // Once: the few triangles around the points that join then hardly matter.
-    if (cells.size() != 0 && withdraw_triangles_without_facet(cells, cancellation_point))
+    Cell_complex cells = triangulate_with_surface(cancellation_point);
+    // Once: stars that contradict the second surface would go on to spread.
+    if (cells.size() != 0 && !attach_or_withdraw(cells, true, cancellation_point, on_verdict)) {
+      cells = Cell_complex();
       cells = triangulate(cancellation_point);
-    if (cells.size() != 0)
-      complete_with(cells, true, cancellation_point, on_verdict);
+      if (cells.size() != 0)
+        attach_or_withdraw(cells, false, cancellation_point, on_verdict);
+    }
     for (Point_index p : m_cluster)
       m_is_conflict[p] = is_complete(p) ? 0 : 1;
   }
 
+  // Attaches the surface of the labelling of the cells, or withdraws the stars that it contradicts and
+  // returns false, if that is allowed.
   template <typename CancellationPoint, typename OnVerdict>
-  void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point,
-                     OnVerdict on_verdict)
+  bool attach_or_withdraw(const Cell_complex& cells, bool may_withdraw, CancellationPoint& cancellation_point,
+                          OnVerdict on_verdict)
   {
     gather_knowledge(cells, cancellation_point);
     const Cell_labelling labelling = label(cells, cancellation_point);
-    // Once: stars that contradict the second surface would go on to spread.
-    if (is_first && withdraw_contradicted_stars(cells, labelling)) {
-      const Cell_complex more_cells = triangulate(cancellation_point);
-      if (more_cells.size() != 0)
-        complete_with(more_cells, false, cancellation_point, on_verdict);
-    } else {
-      attach(cells, labelling, cancellation_point, on_verdict);
-    }
+    if (may_withdraw && withdraw_contradicted_stars(cells, labelling))
+      return false;
+    attach(cells, labelling, cancellation_point, on_verdict);
+    return true;
   }
 
   template <typename CancellationPoint>
@@ -171,9 +172,14 @@ private:
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
-        if (m_knowledge[c][i] == Knowledge::NONE)
-          m_knowledge[c][i] = knowledge_beside_triangles(Cell_complex::facet(cells[c], i));
+        if (cells[c].neighbors[i] >= c && m_knowledge[c][i] == Knowledge::NONE)
+          learn(cells, c, i, knowledge_beside_triangles(Cell_complex::facet(cells[c], i)));
       }
+  }
+
+  void learn(const Cell_complex& cells, Cell_index c, std::size_t i, Knowledge knowledge)
+  {
+    m_knowledge[c][i] = m_knowledge[cells[c].neighbors[i]][cells.mirror(c, i)] = knowledge;
   }
 
   Knowledge knowledge_beside_triangles(const Facet& f) const
@@ -193,8 +199,8 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
-        if (!Cell_complex::is_infinite(f) && has_triangle(f))
-          m_knowledge[c][i] = Knowledge::ON_SURFACE;
+        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && has_triangle(f))
+          learn(cells, c, i, Knowledge::ON_SURFACE);
       }
   }
 
@@ -253,8 +259,26 @@ private:
   template <typename CancellationPoint>
   Cell_complex triangulate(CancellationPoint& cancellation_point)
   {
-    std::sort(m_sites.begin(), m_sites.end());
     return Cell_complex(m_points, m_sites, cancellation_point);
+  }
+
+  // Without the agreed triangles at conflicts that are no facets.
+  template <typename CancellationPoint>
+  Cell_complex triangulate_with_surface(CancellationPoint& cancellation_point)
+  {
+    Site_triangulation triangulation(m_points);
+    std::sort(m_sites.begin(), m_sites.end());
+    triangulation.insert(m_sites, cancellation_point);
+    Cell_complex cells(triangulation, m_sites, cancellation_point);
+    const std::size_t old_sites = m_sites.size();
+    // Once: the few triangles around the points that join then hardly matter.
+    if (cells.size() == 0 || !withdraw_triangles_without_facet(cells, cancellation_point))
+      return cells;
+    cells = Cell_complex();
+    std::vector<Point_index> new_sites(m_sites.begin() + std::ptrdiff_t(old_sites), m_sites.end());
+    std::sort(new_sites.begin(), new_sites.end());
+    triangulation.insert(new_sites, cancellation_point);
+    return Cell_complex(triangulation, m_sites, cancellation_point);
   }
 
   // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
