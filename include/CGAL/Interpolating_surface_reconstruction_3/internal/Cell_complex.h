@@ -179,14 +179,12 @@ private:
       vertices.push_back(canonical_vertices(cell, order));
     }
     const std::vector<Cell_index> ranks = rank_cells(vertices, cancellation_point);
-    m_cells.resize(vertices.size());
-    for (std::size_t k = 0; k != vertices.size(); ++k)
-      m_cells[ranks[k]].vertices = vertices[k];
     std::vector<Vertices>().swap(vertices);
+    m_cells.resize(ranks.size());
     for (Delaunay::Cell_iterator cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
       cancellation_point();
-      canonical_vertices(cell, order);
       Cell& copy = m_cells[ranks[cell->info()]];
+      copy.vertices = canonical_vertices(cell, order);
       for (std::size_t i = 0; i != 4; ++i)
         copy.neighbors[i] = ranks[cell->neighbor(order[i])->info()];
     }

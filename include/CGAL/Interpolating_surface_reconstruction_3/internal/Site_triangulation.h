@@ -23,6 +23,7 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -69,6 +70,16 @@ public:
   }
 
   const Delaunay& delaunay() const { return m_delaunay; }
+
+  // Calls visit(facet) once for each facet with its points, NO_POINT if infinite.
+  template <typename Visit>
+  void for_each_facet(const Visit& visit) const
+  {
+    for (auto f = m_delaunay.all_facets_begin(); f != m_delaunay.all_facets_end(); ++f)
+      visit(std::array<Point_index, 3>{ { f->first->vertex((f->second + 1) & 3)->info(),
+                                          f->first->vertex((f->second + 2) & 3)->info(),
+                                          f->first->vertex((f->second + 3) & 3)->info() } });
+  }
 
   // Coplanar points have no cells. Those that have far more cells than the samples of a surface, which may
   // be as many as the square of the points, as on a helix, are not all inserted.

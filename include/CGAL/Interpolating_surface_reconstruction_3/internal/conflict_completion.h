@@ -132,15 +132,8 @@ private:
   template <typename CancellationPoint>
   Cell_labelling label(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
-    const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
     const auto known = [&](Cell_index c, std::size_t i) { return certainty(m_knowledge[c][i]); };
-    Cell_labelling labelling(
-      cells,
-      [&](Cell_index c, std::size_t i) {
-        const std::optional<double> on_surface = known(c, i);
-        return on_surface ? CERTAIN * *on_surface : evidence(c, i);
-      },
-      [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
+    Cell_labelling labelling = label_by_evidence(cells, known, cancellation_point);
     Labelling_repair<Cell_labelling> repair(
       cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; }, CERTAIN / 2, false,
       cancellation_point);
@@ -151,6 +144,19 @@ private:
       repair.again(changed, certain / 2, cancellation_point);
     }
     return labelling;
+  }
+
+  template <typename Known, typename CancellationPoint>
+  Cell_labelling label_by_evidence(const Cell_complex& cells, const Known& known, CancellationPoint& cancellation_point)
+  {
+    const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
+    return Cell_labelling(
+      cells,
+      [&](Cell_index c, std::size_t i) {
+        const std::optional<double> on_surface = known(c, i);
+        return on_surface ? CERTAIN * *on_surface : evidence(c, i);
+      },
+      [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
   }
 
   // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
@@ -269,12 +275,10 @@ private:
     Site_triangulation triangulation(m_points);
     std::sort(m_sites.begin(), m_sites.end());
     triangulation.insert(m_sites, cancellation_point);
-    Cell_complex cells(triangulation, m_sites, cancellation_point);
     const std::size_t old_sites = m_sites.size();
-    // Once: the few triangles around the points that join then hardly matter.
-    if (cells.size() == 0 || !withdraw_triangles_without_facet(cells, cancellation_point))
-      return cells;
-    cells = Cell_complex();
+    if (triangulation.is_usable())
+      // Once: the few triangles around the points that join then hardly matter.
+      withdraw_triangles_without_facet(triangulation, cancellation_point);
     std::vector<Point_index> new_sites(m_sites.begin() + std::ptrdiff_t(old_sites), m_sites.end());
     std::sort(new_sites.begin(), new_sites.end());
     triangulation.insert(new_sites, cancellation_point);
@@ -282,22 +286,19 @@ private:
   }
 
   // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
-  // facet would cross it; it is withdrawn and its points join the conflict. Returns whether there
-  // was one.
+  // facet would cross it; it is withdrawn and its points join the conflict.
   template <typename CancellationPoint>
-  bool withdraw_triangles_without_facet(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  void withdraw_triangles_without_facet(const Site_triangulation& triangulation, CancellationPoint& cancellation_point)
   {
     std::vector<Facet> facets;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) ||
-            !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) || !has_triangle(f))
-          continue;
-        std::sort(f.begin(), f.end());
-        facets.push_back(f);
-      }
+    triangulation.for_each_facet([&](Facet f) {
+      cancellation_point();
+      if (Cell_complex::is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
+          !has_triangle(f))
+        return;
+      std::sort(f.begin(), f.end());
+      facets.push_back(f);
+    });
     std::sort(facets.begin(), facets.end());
     std::vector<Facet> withdrawn;
     for (Point_index p : m_cluster)
@@ -310,7 +311,6 @@ private:
     withdrawn.erase(std::unique(withdrawn.begin(), withdrawn.end()), withdrawn.end());
     for (const Facet& t : withdrawn)
       withdraw(t);
-    return !withdrawn.empty();
   }
 
   // An agreed star that the surface of the labelling meets beside its triangles is wrong or leaves no room
