@@ -149,14 +149,18 @@ private:
   template <typename Known, typename CancellationPoint>
   Cell_labelling label_by_evidence(const Cell_complex& cells, const Known& known, CancellationPoint& cancellation_point)
   {
-    const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
-    return Cell_labelling(
-      cells,
-      [&](Cell_index c, std::size_t i) {
-        const std::optional<double> on_surface = known(c, i);
-        return on_surface ? CERTAIN * *on_surface : evidence(c, i);
-      },
-      [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
+    Cell_labelling labelling(cells);
+    {
+      const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
+      labelling.set_weights(
+        [&](Cell_index c, std::size_t i) {
+          const std::optional<double> on_surface = known(c, i);
+          return on_surface ? CERTAIN * *on_surface : evidence(c, i);
+        },
+        cancellation_point);
+    }
+    labelling.label_by_weights([&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
+    return labelling;
   }
 
   // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
