@@ -76,7 +76,7 @@ public:
   }
 
   // The points around a conflict that its completion must see: its neighbors, its link, and the
-  // links of its link, so that their stars are complete.
+  // links of its link, so that their stars are complete; some of them repeatedly.
   void surroundings(Point_index p, std::vector<Point_index>& result)
   {
     result.assign(1, p);
@@ -87,8 +87,6 @@ public:
     const std::size_t inner = result.size();
     for (std::size_t i = before; i != inner; ++i)
       add_link(result[i], result);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
 private:
