@@ -106,9 +106,12 @@ private:
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
       if (!progress.advance(0.))
         break;
-      if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
-          !(do_stars_end_along(loop) && flat_sheet.is_outline(loop)) && !m_fill(loop, on_verdict) &&
-          !is_agreed_boundary(loop))
+      if (loop.size() > m_maximum_size || is_boundary(loop) ||
+          (is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) || m_fill(loop, on_verdict) ||
+          is_agreed_boundary(loop))
+        continue;
+      // A short loop may be an outline, too, if it cannot be filled.
+      if (!(do_stars_end_along(loop) && flat_sheet.is_outline(loop)))
         failed.push_back(loop);
     }
     return failed;
