@@ -19,14 +19,12 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Ctc_reconstructor_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_call.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/triangles_to_surface_mesh.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 
@@ -137,9 +135,7 @@ TriangleOutputIterator ctc_reconstruction(const PointRange& points, TriangleOutp
                                           const NamedParameters& np = parameters::default_values())
 {
   using Algorithm = Interpolating_surface_reconstruction_3::internal::Ctc_algorithm<ConcurrencyTag>;
-  Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
-    points, [&](const std::array<std::size_t, 3>& triangle) { *triangles++ = triangle; }, np);
-  return triangles;
+  return Interpolating_surface_reconstruction_3::internal::reconstruct_triangles<Algorithm>(points, triangles, np);
 }
 
 /*!
@@ -171,10 +167,7 @@ bool ctc_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
                         const NamedParameters& np = parameters::default_values())
 {
   using Algorithm = Interpolating_surface_reconstruction_3::internal::Ctc_algorithm<ConcurrencyTag>;
-  std::vector<std::array<std::size_t, 3> > triangles;
-  const bool is_complete = Interpolating_surface_reconstruction_3::internal::reconstruct<Algorithm>(
-    points, [&](const std::array<std::size_t, 3>& triangle) { triangles.push_back(triangle); }, np);
-  return is_complete && Interpolating_surface_reconstruction_3::triangles_to_surface_mesh(points, triangles, mesh, np);
+  return Interpolating_surface_reconstruction_3::internal::reconstruct_mesh<Algorithm>(points, mesh, np);
 }
 
 } // namespace CGAL

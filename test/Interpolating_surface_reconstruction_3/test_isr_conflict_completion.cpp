@@ -91,6 +91,16 @@ void test_cells()
   ISR_CHECK(cells.size() > 300);
 }
 
+void check_same_cells(const Cell_complex& cells, const Cell_complex& expected)
+{
+  ISR_CHECK_EQUAL(cells.size(), expected.size());
+  for (Cell_index c = 0; c != cells.size() && c != expected.size(); ++c)
+    if (cells[c].vertices != expected[c].vertices || cells[c].neighbors != expected[c].neighbors) {
+      ISR_CHECK(!"same cells in the same order");
+      break;
+    }
+}
+
 void test_order_of_cells()
 {
   // the second has cospherical points
@@ -103,17 +113,16 @@ void test_order_of_cells()
       std::vector<Point_index> order;
       for (std::size_t i : random_order(points.size(), seed))
         order.push_back(sites[i]);
-      const Cell_complex cells(positions, order);
-      ISR_CHECK_EQUAL(cells.size(), expected.size());
-      for (Cell_index c = 0; c != cells.size() && c != expected.size(); ++c) {
-        auto v = cells[c].vertices, w = expected[c].vertices;
-        std::sort(v.begin(), v.end());
-        std::sort(w.begin(), w.end());
-        if (v != w) {
-          ISR_CHECK(!"same cells in the same order");
-          break;
-        }
-      }
+      check_same_cells(Cell_complex(positions, order), expected);
+      begin_case("points that join later");
+      isr_internal::No_cancellation cancellation_point;
+      isr_internal::Site_triangulation triangulation(positions);
+      const auto half = order.begin() + std::ptrdiff_t(order.size() / 2);
+      std::sort(order.begin(), half);
+      std::sort(half, order.end());
+      triangulation.insert({ order.begin(), half }, cancellation_point);
+      triangulation.insert({ half, order.end() }, cancellation_point);
+      check_same_cells(Cell_complex(triangulation, order, cancellation_point), expected);
     }
   }
 }

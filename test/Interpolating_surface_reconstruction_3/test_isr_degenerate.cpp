@@ -64,6 +64,25 @@ void test_few_points()
   test_guarantees("line and a point", line);
 }
 
+// A flat sheet stays open, however small.
+void test_flat_sheet(const std::string& name, const Points& points, std::size_t triangles)
+{
+  begin_case(name);
+  const Triples triples = checked_ctc(points);
+  ISR_CHECK_EQUAL(triples.size(), triangles);
+  ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
+}
+
+void test_small_sheets()
+{
+  test_flat_sheet("one triangle", { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, .1) }, 1);
+  test_flat_sheet("two triangles", { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1.1, 0) }, 2);
+  test_flat_sheet("three triangles", { Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0), Point(1, 1, 0) }, 3);
+  test_flat_sheet("grid", plane_grid(2).points, 8);
+  begin_case("no sheet");
+  ISR_CHECK_EQUAL(checked_ctc({ Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) }).size(), 4u);
+}
+
 void test_planar()
 {
   test_guarantees("plane grid", plane_grid(15).points);
@@ -177,6 +196,7 @@ int main()
 {
   test_no_surfaces();
   test_few_points();
+  test_small_sheets();
   test_planar();
   test_non_finite();
   test_duplicates();

@@ -14,9 +14,13 @@
 
 #include "isr_surface_test_utils.h"
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Coplanarity_queue.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Growing_front.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/front_gaps.h>
 
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -267,8 +271,42 @@ void test_random_order(const std::string& name, const Mesh& mesh, std::uint64_t 
   ISR_CHECK_EQUAL(front.number_of_rings(), validation::number_of_boundary_loops(mesh.triples));
 }
 
+struct Queue_entry
+{
+  double coplanarity;
+  int number;
+  bool operator<(const Queue_entry& other) const
+  {
+    return coplanarity != other.coplanarity ? coplanarity < other.coplanarity : number > other.number;
+  }
+};
+
+// The same order as that of a sorted set, whatever the classes.
+void test_coplanarity_queue()
+{
+  begin_case("queue of candidates");
+  isr_internal::Coplanarity_queue<Queue_entry> queue;
+  std::set<Queue_entry> expected;
+  Random random(5);
+  for (int i = 0; i != 20000; ++i) {
+    if (random.uniform(0., 1.) < .6) {
+      const double angle = std::pow(10., random.uniform(-10., .5));
+      const double cosines[] = { std::cos(angle), 1., -1., 0., 1. + 1e-15, -1. - 1e-15 };
+      const Queue_entry entry{ cosines[i % 16 < 5 ? std::size_t(i % 16) + 1 : 0], i };
+      queue.push(entry);
+      expected.insert(entry);
+    } else if (!queue.empty()) {
+      ISR_CHECK_EQUAL(queue.top().number, expected.rbegin()->number);
+      queue.pop();
+      expected.erase(std::prev(expected.end()));
+    }
+    ISR_CHECK_EQUAL(queue.empty(), expected.empty());
+  }
+}
+
 int main()
 {
+  test_coplanarity_queue();
   test_begin();
   test_extend();
   test_close_ear();

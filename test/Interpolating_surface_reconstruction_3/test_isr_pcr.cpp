@@ -325,7 +325,8 @@ void test_degenerate()
   ISR_CHECK_EQUAL(number({}), 0u);
   ISR_CHECK_EQUAL(number({ a }), 0u);
   ISR_CHECK_EQUAL(number({ a, b }), 0u);
-  ISR_CHECK(number({ a, b, c }) <= 1u);
+  ISR_CHECK_EQUAL(number({ a, b, c }), 1u);
+  ISR_CHECK_EQUAL(number({ a, b, c, Point(1, 1.1, 0) }), 2u);
   ISR_CHECK_EQUAL(number({ a, b, c, d }), 4u);
   ISR_CHECK_EQUAL(number({ a, a, b, b, c, c, d, d }), 4u);
   ISR_CHECK_EQUAL(number({ a, b, Point(2, 0, 0), Point(5, 0, 0) }), 0u);

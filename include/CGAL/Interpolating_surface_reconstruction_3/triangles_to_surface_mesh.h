@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_call.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Call_types.h>
 
 #include <CGAL/Surface_mesh.h>
 

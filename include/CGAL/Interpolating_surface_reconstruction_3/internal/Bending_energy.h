@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 namespace CGAL {
@@ -41,12 +42,17 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   // Only points with `is_in_scope(p)` must be manifold. From now on, all labels change by change().
-  template <typename IsInScope>
+  template <typename IsAgreed, typename IsInScope>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-                 const IsInScope& is_in_scope)
+                 const IsAgreed& is_agreed, const IsInScope& is_in_scope)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
-      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0)
+      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0),
+      m_agreed(cells.size(), 0)
   {
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (is_agreed(c, i))
+          m_agreed[c] = static_cast<unsigned char>(m_agreed[c] | (1u << i));
     find_defect_costs(is_in_scope);
     std::vector<unsigned char> is_counted(m_defects.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c)
@@ -73,8 +79,11 @@ public:
         result += cost_at_edge(c, i, j);
         m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = m_facets_at_edge != 0;
       }
-    for (std::size_t i = 0; i != 4; ++i)
+    for (std::size_t i = 0; i != 4; ++i) {
       m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);
+      if ((m_agreed[c] >> i & 1) != 0)
+        result += (m_is_facet_on_surface[i] ? 1. : -1.) * worth_of_agreement(Cell_complex::facet(m_cells[c], i));
+    }
     for (std::size_t i = 0; i != 4; ++i)
       result += cost_at_point(c, i);
     return result;
@@ -105,6 +114,9 @@ private:
 
   // Worth of an edge where the surface is flat.
   static constexpr double FLAT_SHARE = .1;
+
+  // Worth of an agreed triangle, in half perimeters.
+  inline static double AGREEMENT = getenv("AGR") ? atof(getenv("AGR")) : .3;
 
   static constexpr double PI = 3.14159265358979323846;
 
@@ -141,6 +153,12 @@ private:
           ++edges[position_of(p)];
         }
     }
+  }
+
+  // An agreed facet on the surface makes up for its flat share of the edges, and more.
+  double worth_of_agreement(const std::array<Point_index, 3>& f) const
+  {
+    return .5 * AGREEMENT * (length(f[0], f[1]) + length(f[1], f[2]) + length(f[2], f[0]));
   }
 
   double length(Point_index p, Point_index q) const
@@ -246,6 +264,7 @@ private:
   std::vector<double> m_defect_costs; // of the vertices; 0 out of the scope
   std::vector<int> m_defects;         // of the vertices, now
   std::vector<Point_index> m_apexes;  // of the facets on the surface around an edge
+  std::vector<unsigned char> m_agreed; // facets of the cells, as bits
   std::size_t m_facets_at_edge = 0;   // on the surface, around the last edge
   // Of the last cell.
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};

@@ -15,14 +15,8 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Site_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_data_structure_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
 #include <array>
@@ -35,9 +29,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// The cells of the Delaunay triangulation of some points, in flat arrays and in an order that depends
-// on the points only. Local coordinates are exact copies of the input up to shift and scale, so that
-// the exact predicates of the kernel decide for the input. An infinite cell has the vertex NO_POINT.
+// The cells of the Delaunay triangulation of some points, in flat arrays. The order of the cells, and that
+// of the vertices of a cell, depend on the points only. An infinite cell has the vertex NO_POINT.
 class Cell_complex
 {
 public:
@@ -49,32 +42,30 @@ public:
     std::array<Cell_index, 4> neighbors; // neighbor i is opposite to vertex i
   };
 
-  // `points` are distinct. There are no cells if they are coplanar, or if they have far more cells than
-  // the samples of a surface, which may be as many as the square of the points, as on a helix.
+  Cell_complex() = default;
+
+  // `sites` are those of the triangulation. There are no cells if it is not usable.
   // `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  Cell_complex(const Site_triangulation& triangulation, std::vector<Point_index> sites,
+               Cancellation_point& cancellation_point)
+    : m_points(std::move(sites))
+  {
+    std::sort(m_points.begin(), m_points.end());
+    tabulate_positions();
+    if (triangulation.is_usable())
+      copy_cells(triangulation.delaunay(), cancellation_point);
+  }
+
+  // `points` are distinct.
   template <typename Cancellation_point>
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points,
                Cancellation_point& cancellation_point)
-    : m_points(std::move(points))
   {
-    std::sort(m_points.begin(), m_points.end());
-    Delaunay delaunay;
-    // Every second point of the ones left out so far joins in a round, the first round has few.
-    std::size_t stride = 1;
-    while (m_points.size() / stride > POINTS_OF_FIRST_ROUND)
-      stride *= 2;
-    for (bool is_first = true; stride != 0; stride /= 2, is_first = false) {
-      Delaunay::Vertex_handle hint;
-      for (std::size_t i = is_first ? 0 : stride; i < m_points.size(); i += is_first ? stride : 2 * stride) {
-        cancellation_point(MICROSECONDS_PER_INSERTION);
-        hint = insert(delaunay, positions[m_points[i]], static_cast<Point_index>(i), hint);
-      }
-      if (delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * delaunay.number_of_vertices())
-        return;
-    }
-    // Coplanar points have no cells.
-    if (delaunay.dimension() == 3)
-      copy_cells(delaunay, cancellation_point);
+    std::sort(points.begin(), points.end());
+    Site_triangulation triangulation(positions);
+    triangulation.insert(points, cancellation_point);
+    *this = Cell_complex(triangulation, std::move(points), cancellation_point);
   }
 
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
@@ -85,6 +76,14 @@ public:
 
   // The points that the cells may have as vertices, increasing.
   const std::vector<Point_index>& points() const { return m_points; }
+
+  // The position of a point in points().
+  std::size_t position(Point_index p) const
+  {
+    if (m_positions.empty())
+      return static_cast<std::size_t>(std::lower_bound(m_points.begin(), m_points.end(), p) - m_points.begin());
+    return m_positions[p - m_points.front()];
+  }
 
   std::size_t size() const { return m_cells.size(); }
   const Cell& operator[](std::size_t c) const { return m_cells[c]; }
@@ -116,101 +115,112 @@ public:
     return cell.vertices[3];
   }
 
+  // The facet of neighbor i that is facet i of the cell. Small triangulations may have cells that share
+  // two facets.
+  std::size_t mirror(std::size_t c, std::size_t i) const
+  {
+    const Cell& neighbor = m_cells[m_cells[c].neighbors[i]];
+    const auto f = facet(m_cells[c], i);
+    for (std::size_t j = 0; j != 4; ++j)
+      if (neighbor.neighbors[j] == c && std::find(f.begin(), f.end(), neighbor.vertices[j]) == f.end())
+        return j;
+    return 0;
+  }
+
 private:
-  // A random sample has 7 cells a point.
-  static constexpr std::size_t MAXIMUM_CELLS_PER_POINT = 50, POINTS_OF_FIRST_ROUND = 500;
+  using Delaunay = Site_triangulation::Delaunay;
+  using Vertices = std::array<Point_index, 4>;
 
-  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 16;
+  // A table is worth its memory if at least one of so many indices is that of a point.
+  static constexpr std::size_t MAXIMUM_INDICES_PER_POINT = 32;
 
-  // Not less than the 128 facets of what CGAL takes for a small hole.
-  static constexpr std::size_t CELLS_OF_SMALL_HOLE = 256;
-
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Vertex_base = Triangulation_vertex_base_with_info_3<Point_index, Kernel>;
-  using Cell_base =
-    Triangulation_cell_base_with_info_3<Cell_index, Kernel, Delaunay_triangulation_cell_base_3<Kernel> >;
-  using Delaunay = Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vertex_base, Cell_base> >;
-
-  // CGAL keeps a static table while it replaces the cells of a small hole, which an exception would leave
-  // broken for the next triangulation: memory for the new cells is made sure of before.
-  static Delaunay::Vertex_handle insert(Delaunay& delaunay, const Local_point& p, Point_index index,
-                                        Delaunay::Vertex_handle hint)
+  void tabulate_positions()
   {
-    auto& cells = delaunay.tds().cells();
-    if (cells.capacity() - cells.size() < CELLS_OF_SMALL_HOLE)
-      cells.reserve(cells.size() + CELLS_OF_SMALL_HOLE);
-    const Delaunay::Vertex_handle vertex = delaunay.insert(Delaunay::Point(p.x(), p.y(), p.z()), hint);
-    vertex->info() = index;
-    return vertex;
+    if (m_points.empty() || (m_points.back() - m_points.front()) / MAXIMUM_INDICES_PER_POINT >= m_points.size())
+      return;
+    m_positions.resize(m_points.back() - m_points.front() + 1);
+    for (std::size_t k = 0; k != m_points.size(); ++k)
+      m_positions[m_points[k] - m_points.front()] = static_cast<Point_index>(k);
   }
 
-  // The vertices of a cell as positions in m_points; NO_POINT if infinite.
-  static std::array<Point_index, 4> vertices_of(const Delaunay& delaunay, Delaunay::Cell_handle cell)
+  // The vertices in increasing order, but for the last two, which are exchanged where that keeps the
+  // orientation. `order` tells which vertices of the cell they are.
+  static Vertices canonical_vertices(Delaunay::Cell_handle cell, std::array<int, 4>& order)
   {
-    std::array<Point_index, 4> result;
-    for (int i = 0; i != 4; ++i)
-      result[std::size_t(i)] = delaunay.is_infinite(cell->vertex(i)) ? NO_POINT : cell->vertex(i)->info();
-    return result;
+    Vertices v;
+    bool is_odd = false;
+    for (int i = 0; i != 4; ++i) {
+      std::size_t j = std::size_t(i);
+      const Point_index p = cell->vertex(i)->info();
+      for (; j != 0 && v[j - 1] > p; --j, is_odd = !is_odd) {
+        v[j] = v[j - 1];
+        order[j] = order[j - 1];
+      }
+      v[j] = p;
+      order[j] = i;
+    }
+    if (is_odd) {
+      std::swap(v[2], v[3]);
+      std::swap(order[2], order[3]);
+    }
+    return v;
   }
 
+  // The info of each cell of the triangulation becomes its place in the sequence of cells there.
   template <typename Cancellation_point>
   void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
   {
-    const std::vector<Delaunay::Cell_handle> order = sorted_cells(delaunay, cancellation_point);
-    for (std::size_t c = 0; c != order.size(); ++c)
-      order[c]->info() = static_cast<Cell_index>(c);
-    m_cells.resize(order.size());
-    for (std::size_t c = 0; c != order.size(); ++c) {
+    std::array<int, 4> order;
+    std::vector<Vertices> vertices;
+    vertices.reserve(delaunay.number_of_cells());
+    for (Delaunay::Cell_iterator cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
       cancellation_point();
-      m_cells[c].vertices = vertices_of(delaunay, order[c]);
-      for (std::size_t i = 0; i != 4; ++i) {
-        m_cells[c].neighbors[i] = order[c]->neighbor(int(i))->info();
-        if (m_cells[c].vertices[i] != NO_POINT)
-          m_cells[c].vertices[i] = m_points[m_cells[c].vertices[i]];
-      }
+      cell->info() = static_cast<Cell_index>(vertices.size());
+      vertices.push_back(canonical_vertices(cell, order));
+    }
+    const std::vector<Cell_index> ranks = rank_cells(vertices, cancellation_point);
+    std::vector<Vertices>().swap(vertices);
+    m_cells.resize(ranks.size());
+    for (Delaunay::Cell_iterator cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+      cancellation_point();
+      Cell& copy = m_cells[ranks[cell->info()]];
+      copy.vertices = canonical_vertices(cell, order);
+      for (std::size_t i = 0; i != 4; ++i)
+        copy.neighbors[i] = ranks[cell->neighbor(order[i])->info()];
     }
   }
 
-  // The cells in lexicographic order of their increasing vertices: those with the same smallest
-  // vertex are few.
+  // The rank of each cell in the lexicographic order of their increasing vertices: those with the same
+  // smallest vertex are few.
   template <typename Cancellation_point>
-  std::vector<Delaunay::Cell_handle> sorted_cells(const Delaunay& delaunay,
-                                                  Cancellation_point& cancellation_point) const
+  std::vector<Cell_index> rank_cells(const std::vector<Vertices>& vertices,
+                                     Cancellation_point& cancellation_point) const
   {
-    const auto key = [&](Delaunay::Cell_handle cell) {
-      std::array<Point_index, 4> result = vertices_of(delaunay, cell);
-      std::sort(result.begin(), result.end());
-      return result;
-    };
-    const auto smallest = [&](Delaunay::Cell_handle cell) {
-      const std::array<Point_index, 4> v = vertices_of(delaunay, cell);
-      return std::size_t((std::min)((std::min)(v[0], v[1]), (std::min)(v[2], v[3])));
-    };
-    std::vector<Cell_index> next(m_points.size() + 1, 0);
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
-      ++next[smallest(cell) + 1];
+    std::vector<Cell_index> next(m_points.size() + 1, 0), order(vertices.size()), ranks(vertices.size());
+    for (const Vertices& v : vertices)
+      ++next[position(v[0]) + 1];
     for (std::size_t k = 0; k != m_points.size(); ++k)
       next[k + 1] += next[k];
-    std::vector<Delaunay::Cell_handle> result(next.back());
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
-      result[next[smallest(cell)]++] = cell;
-    using Keyed_cell = std::pair<std::array<Point_index, 4>, Delaunay::Cell_handle>;
-    std::vector<Keyed_cell> bucket;
+    for (std::size_t c = 0; c != vertices.size(); ++c)
+      order[next[position(vertices[c][0])]++] = static_cast<Cell_index>(c);
+    const auto less = [&](Cell_index a, Cell_index b) {
+      const Vertices &v = vertices[a], &w = vertices[b];
+      if (v[1] != w[1])
+        return v[1] < w[1];
+      return std::minmax(v[2], v[3]) < std::minmax(w[2], w[3]);
+    };
     for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k) {
-      bucket.clear();
+      std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(next[k]), less);
       for (std::size_t c = begin; c != next[k]; ++c) {
         cancellation_point();
-        bucket.emplace_back(key(result[c]), result[c]);
+        ranks[order[c]] = static_cast<Cell_index>(c);
       }
-      std::sort(bucket.begin(), bucket.end(),
-                [](const Keyed_cell& a, const Keyed_cell& b) { return a.first < b.first; });
-      for (std::size_t c = begin; c != next[k]; ++c)
-        result[c] = bucket[c - begin].second;
     }
-    return result;
+    return ranks;
   }
 
-  std::vector<Point_index> m_points; // increasing
+  std::vector<Point_index> m_points;    // increasing
+  std::vector<Point_index> m_positions; // of the points in m_points, by their distance from the first one
   std::vector<Cell> m_cells;
 };
 

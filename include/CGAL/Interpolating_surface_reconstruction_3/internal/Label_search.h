@@ -38,11 +38,11 @@ class Label_search
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // Only cells with `is_free(c)` change, and only points with `is_in_scope(p)` must be manifold.
-  template <typename IsFree, typename IsInScope>
+  // Only cells with `is_free(c)` change; facets with `is_agreed(c, i)` are worth keeping, and only points with `is_in_scope(p)` must be manifold.
+  template <typename IsFree, typename IsAgreed, typename IsInScope>
   Label_search(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-               const IsFree& is_free, const IsInScope& is_in_scope)
-    : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_in_scope),
+               const IsFree& is_free, const IsAgreed& is_agreed, const IsInScope& is_in_scope)
+    : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_agreed, is_in_scope),
       m_has_small_part(cells, labelling, m_energy.stars()),      m_state(cells.size(), State::FIXED), m_chain_of(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)

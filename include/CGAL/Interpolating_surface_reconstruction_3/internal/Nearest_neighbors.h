@@ -60,7 +60,7 @@ public:
     for (bool is_exhaustive = false; !m_pending.empty(); radius *= 2) {
       const double gathered = (std::min)(radius, m_maximum_radius);
       const Local_box box = leaf.box.enlarged(gathered);
-      gather(leaf, box);
+      gather(leaf, box, gathered);
       is_exhaustive = box.contains(m_octree.node(0).box) || gathered == m_maximum_radius || !(radius > 0.);
       std::size_t kept = 0;
       for (Request request : m_pending)
@@ -105,9 +105,14 @@ private:
                       side[2] / (parent.end - parent.begin));
   }
 
-  // Coordinates relative to the leaf in single precision: they only rank.
-  void gather(const Point_octree_3::Node& leaf, const Local_box& box)
+  // Coordinates relative to the leaf in single precision: they only rank. The candidates stay for the
+  // next point of the leaf.
+  void gather(const Point_octree_3::Node& leaf, const Local_box& box, double radius)
   {
+    if (radius == m_gathered_radius && leaf.box.low == m_gathered_leaf.low && leaf.box.high == m_gathered_leaf.high)
+      return;
+    m_gathered_radius = radius;
+    m_gathered_leaf = leaf.box;
     m_candidates.clear();
     m_octree.for_each_leaf_overlapping(box, m_stack, [&](const Point_octree_3::Node& n) {
       for (Point_index i = n.begin; i != n.end; ++i)
@@ -249,6 +254,8 @@ private:
   const Point_octree_3& m_octree;
   double m_maximum_radius;
   double m_squared_guess = 0.;
+  double m_gathered_radius = -1.; // around the box of the leaf, for the present candidates
+  Local_box m_gathered_leaf{};
   std::vector<Request> m_pending;
   std::vector<std::uint32_t> m_stack;
   std::vector<Point_index> m_candidates;

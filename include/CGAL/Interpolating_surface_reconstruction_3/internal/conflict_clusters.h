@@ -51,16 +51,16 @@ public:
   std::vector<std::vector<Point_index> > find(Progress& progress)
   {
     Parity_union_find sets(m_conflicts.size());
-    std::vector<Point_index> around;
+    std::vector<Point_index> positions(m_builder.number_of_points(), NO_POINT), around;
+    for (std::size_t i = 0; i != m_conflicts.size(); ++i)
+      positions[m_conflicts[i]] = static_cast<Point_index>(i);
     for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
       if (i % CONFLICTS_PER_POLL == 0 && !progress.advance(0.))
         return {};
       surroundings(m_conflicts[i], around);
-      for (Point_index q : around) {
-        const auto it = std::lower_bound(m_conflicts.begin(), m_conflicts.end(), q);
-        if (it != m_conflicts.end() && *it == q)
-          sets.unite(static_cast<Point_index>(i), static_cast<Point_index>(it - m_conflicts.begin()), false);
-      }
+      for (Point_index q : around)
+        if (positions[q] != NO_POINT)
+          sets.unite(static_cast<Point_index>(i), positions[q], false);
     }
     std::vector<std::size_t> cluster_of(m_conflicts.size(), 0);
     std::vector<std::vector<Point_index> > clusters;
@@ -76,7 +76,7 @@ public:
   }
 
   // The points around a conflict that its completion must see: its neighbors, its link, and the
-  // links of its link, so that their stars are complete.
+  // links of its link, so that their stars are complete; some of them repeatedly.
   void surroundings(Point_index p, std::vector<Point_index>& result)
   {
     result.assign(1, p);
@@ -87,8 +87,6 @@ public:
     const std::size_t inner = result.size();
     for (std::size_t i = before; i != inner; ++i)
       add_link(result[i], result);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
 private:

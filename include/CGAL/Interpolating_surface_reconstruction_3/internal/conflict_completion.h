@@ -16,11 +16,12 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Site_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/oriented_energy.h>
@@ -59,7 +60,7 @@ public:
       return;
     m_is_conflict.assign(m_points.size(), 0);
     m_is_site.assign(m_points.size(), 0);
-    m_budget = std::size_t((getenv("BA") ? atof(getenv("BA")) : 5e5) + (getenv("BB") ? atof(getenv("BB")) : 4) * double(m_points.size()));
+    m_search_effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_points.size();
     m_is_certain.assign(m_points.size(), 0);
     m_facets_at.assign(m_points.size(), 0);
     for (Point_index p : m_clusters.conflicts())
@@ -90,6 +91,10 @@ private:
   // The normals of the third surface hardly differ from those of the second one.
   static constexpr std::size_t ORIENTED_ROUNDS = 2;
 
+  // Changes of labels that the searches may try in all: enough for a few thousand conflicts, and two for every
+  // point where there are more.
+  static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 2;
+
   // Whether the surface at the point is one closed fan.
   bool is_complete(Point_index p) const { return !m_builder.is_open(p) || m_builder.is_fan_closed(p); }
 
@@ -104,58 +109,71 @@ private:
     m_sites.clear();
     for (Point_index p : cluster)
       add_to_cluster(p);
-    Cell_complex cells = triangulate(cancellation_point);
-    // Once: the few triangles around the points that join then hardly matter.
-    if (cells.size() != 0 && withdraw_triangles_without_facet(cells, cancellation_point))
+    Cell_complex cells = triangulate_with_surface(cancellation_point);
+    // Once: stars that contradict the second surface would go on to spread.
+    if (cells.size() != 0 && !attach_or_withdraw(cells, true, cancellation_point, on_verdict)) {
+      cells = Cell_complex();
       cells = triangulate(cancellation_point);
-    if (cells.size() != 0)
-      complete_with(cells, true, cancellation_point, on_verdict);
+      if (cells.size() != 0)
+        attach_or_withdraw(cells, false, cancellation_point, on_verdict);
+    }
     for (Point_index p : m_cluster)
       m_is_conflict[p] = is_complete(p) ? 0 : 1;
   }
 
+  // Attaches the surface of the labelling of the cells, or withdraws the stars that it contradicts and
+  // returns false, if that is allowed.
   template <typename CancellationPoint, typename OnVerdict>
-  void complete_with(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point,
-                     OnVerdict on_verdict)
+  bool attach_or_withdraw(const Cell_complex& cells, bool may_withdraw, CancellationPoint& cancellation_point,
+                          OnVerdict on_verdict)
   {
     gather_knowledge(cells, cancellation_point);
-    const Cell_labelling labelling = label(cells, is_first, cancellation_point);
-    // Once: stars that contradict the second surface would go on to spread.
-    if (is_first && withdraw_contradicted_stars(cells, labelling)) {
-      const Cell_complex more_cells = triangulate(cancellation_point);
-      if (more_cells.size() != 0)
-        complete_with(more_cells, false, cancellation_point, on_verdict);
-    } else {
-      attach(cells, labelling, cancellation_point, on_verdict);
-    }
+    const Cell_labelling labelling = label(cells, may_withdraw, cancellation_point);
+    if (may_withdraw && withdraw_contradicted_stars(cells, labelling))
+      return false;
+    attach(cells, labelling, cancellation_point, on_verdict);
+    return true;
   }
 
+  // Cells beside agreed triangles may change as long as these may be withdrawn.
   template <typename CancellationPoint>
-  Cell_labelling label(const Cell_complex& cells, bool is_first, CancellationPoint& cancellation_point)
+  Cell_labelling label(const Cell_complex& cells, bool may_withdraw, CancellationPoint& cancellation_point)
   {
-    const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
     const auto known = [&](Cell_index c, std::size_t i) { return certainty(m_knowledge[c][i]); };
-    Cell_labelling labelling(
-      cells,
-      [&](Cell_index c, std::size_t i) {
-        const std::optional<double> on_surface = known(c, i);
-        return on_surface ? CERTAIN * *on_surface : evidence(c, i);
-      },
-      [&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
-    Labelling_repair<Cell_labelling> repair(
-      cells, labelling, [&](Point_index p) { return is_conflict(p) || m_is_certain[p] != 0; }, CERTAIN / 2, false,
-      cancellation_point);
+    Cell_labelling labelling = label_by_evidence(cells, known, cancellation_point);
+    const auto is_in_scope = [&](Point_index p) { return p != NO_POINT && (is_conflict(p) || m_is_certain[p] != 0); };
+    Labelling_repair<Cell_labelling> repair(cells, labelling, is_in_scope, CERTAIN / 2, false, cancellation_point);
     repair(cancellation_point);
-    static const std::size_t OR = getenv("OR") ? atoi(getenv("OR")) : 2;
-    for (std::size_t round = 0; round != OR; ++round) {
+    for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
       const double certain = m_oriented_energy(cells, labelling, known, cancellation_point);
       const std::vector<Cell_index> changed = labelling.relax(cancellation_point);
       repair.again(changed, certain / 2, cancellation_point);
     }
     Label_search<Cell_labelling> search(
-      cells, m_points, labelling, [&](Cell_index c) { return may_withdraw ? is_in_scope(cells[c]) : is_undecided(c); },
-      is_in_scope_of_repair);
+      cells, m_points, labelling,
+      [&](Cell_index c) {
+        const auto& vertices = cells[c].vertices;
+        return may_withdraw ? std::all_of(vertices.begin(), vertices.end(), is_in_scope) : is_undecided(c);
+      },
+      [&](Cell_index c, std::size_t i) { return m_knowledge[c][i] == Knowledge::ON_SURFACE; }, is_in_scope);
     search(m_search_effort, cancellation_point);
+    return labelling;
+  }
+
+  template <typename Known, typename CancellationPoint>
+  Cell_labelling label_by_evidence(const Cell_complex& cells, const Known& known, CancellationPoint& cancellation_point)
+  {
+    Cell_labelling labelling(cells);
+    {
+      const Facet_evidence evidence(cells, m_points, m_builder.compatibility().stars(), cancellation_point);
+      labelling.set_weights(
+        [&](Cell_index c, std::size_t i) {
+          const std::optional<double> on_surface = known(c, i);
+          return on_surface ? CERTAIN * *on_surface : evidence(c, i);
+        },
+        cancellation_point);
+    }
+    labelling.label_by_weights([&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
     return labelling;
   }
 
@@ -178,9 +196,14 @@ private:
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
-        if (m_knowledge[c][i] == Knowledge::NONE)
-          m_knowledge[c][i] = knowledge_beside_triangles(Cell_complex::facet(cells[c], i));
+        if (cells[c].neighbors[i] >= c && m_knowledge[c][i] == Knowledge::NONE)
+          learn(cells, c, i, knowledge_beside_triangles(Cell_complex::facet(cells[c], i)));
       }
+  }
+
+  void learn(const Cell_complex& cells, Cell_index c, std::size_t i, Knowledge knowledge)
+  {
+    m_knowledge[c][i] = m_knowledge[cells[c].neighbors[i]][cells.mirror(c, i)] = knowledge;
   }
 
   Knowledge knowledge_beside_triangles(const Facet& f) const
@@ -200,8 +223,8 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
-        if (!Cell_complex::is_infinite(f) && has_triangle(f))
-          m_knowledge[c][i] = Knowledge::ON_SURFACE;
+        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && has_triangle(f))
+          learn(cells, c, i, Knowledge::ON_SURFACE);
       }
   }
 
@@ -233,14 +256,11 @@ private:
     return knowledge == Knowledge::ON_SURFACE ? 1. : knowledge == Knowledge::OFF_SURFACE ? -1. : 0.;
   }
 
-  bool all_in(const Cell_complex::Cell& c) const { for (Point_index p : c.vertices) if (p == NO_POINT || !(is_conflict(p) || m_is_certain[p])) return false; return true; }
-  // Whether no facet of the cell is known to be on the surface or not.
-  bool is_free(Cell_index c) const
+  // Whether of no facet of the cell it is known that it is on the surface or that it is not.
+  bool is_undecided(Cell_index c) const
   {
-    for (Knowledge k : m_knowledge[c])
-      if (k == Knowledge::ON_SURFACE || k == Knowledge::OFF_SURFACE)
-        return false;
-    return true;
+    return std::all_of(m_knowledge[c].begin(), m_knowledge[c].end(),
+                       [](Knowledge k) { return k == Knowledge::NONE || k == Knowledge::IRRELEVANT; });
   }
 
   // The connected part of the surface that the facet belongs to, flipped if the cell lies behind it.
@@ -270,27 +290,40 @@ private:
   template <typename CancellationPoint>
   Cell_complex triangulate(CancellationPoint& cancellation_point)
   {
-    std::sort(m_sites.begin(), m_sites.end());
     return Cell_complex(m_points, m_sites, cancellation_point);
   }
 
-  // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
-  // facet would cross it; it is withdrawn and its points join the conflict. Returns whether there
-  // was one.
+  // Without the agreed triangles at conflicts that are no facets.
   template <typename CancellationPoint>
-  bool withdraw_triangles_without_facet(const Cell_complex& cells, CancellationPoint& cancellation_point)
+  Cell_complex triangulate_with_surface(CancellationPoint& cancellation_point)
+  {
+    Site_triangulation triangulation(m_points);
+    std::sort(m_sites.begin(), m_sites.end());
+    triangulation.insert(m_sites, cancellation_point);
+    const std::size_t old_sites = m_sites.size();
+    if (triangulation.is_usable())
+      // Once: the few triangles around the points that join then hardly matter.
+      withdraw_triangles_without_facet(triangulation, cancellation_point);
+    std::vector<Point_index> new_sites(m_sites.begin() + std::ptrdiff_t(old_sites), m_sites.end());
+    std::sort(new_sites.begin(), new_sites.end());
+    triangulation.insert(new_sites, cancellation_point);
+    return Cell_complex(triangulation, m_sites, cancellation_point);
+  }
+
+  // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no
+  // facet would cross it; it is withdrawn and its points join the conflict.
+  template <typename CancellationPoint>
+  void withdraw_triangles_without_facet(const Site_triangulation& triangulation, CancellationPoint& cancellation_point)
   {
     std::vector<Facet> facets;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] < c || Cell_complex::is_infinite(f) ||
-            !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) || !has_triangle(f))
-          continue;
-        std::sort(f.begin(), f.end());
-        facets.push_back(f);
-      }
+    triangulation.for_each_facet([&](Facet f) {
+      cancellation_point();
+      if (Cell_complex::is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
+          !has_triangle(f))
+        return;
+      std::sort(f.begin(), f.end());
+      facets.push_back(f);
+    });
     std::sort(facets.begin(), facets.end());
     std::vector<Facet> withdrawn;
     for (Point_index p : m_cluster)
@@ -303,7 +336,6 @@ private:
     withdrawn.erase(std::unique(withdrawn.begin(), withdrawn.end()), withdrawn.end());
     for (const Facet& t : withdrawn)
       withdraw(t);
-    return !withdrawn.empty();
   }
 
   // An agreed star that the surface of the labelling meets beside its triangles is wrong or leaves no room
@@ -393,7 +425,7 @@ private:
   std::vector<Point_index> m_cluster;                  // conflicts of the current cluster
   std::vector<Point_index> m_sites;                    // of the current cluster, increasing
   std::vector<Point_index> m_around;
-  std::size_t m_budget = 0;
+  std::size_t m_search_effort = 0; // that is left
 };
 
 } // namespace internal

@@ -106,20 +106,29 @@ private:
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
       if (!progress.advance(0.))
         break;
-      if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
-          !(is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) && !m_fill(loop, on_verdict) &&
-          !is_agreed_boundary(loop))
+      if (loop.size() > m_maximum_size || is_boundary(loop) ||
+          (is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) || m_fill(loop, on_verdict) ||
+          is_agreed_boundary(loop))
+        continue;
+      // A short loop may be an outline, too, if it cannot be filled.
+      if (!(do_stars_end_along(loop) && flat_sheet.is_outline(loop)))
         failed.push_back(loop);
     }
     return failed;
   }
 
-  // Whether most stars along the loop agree that the surface ends there. A short loop is a gap.
+  // A short loop is a gap.
   bool is_agreed_boundary(const Boundary_loop& loop) const
+  {
+    return loop.size() > MAXIMUM_PLANAR_SIZE && do_stars_end_along(loop);
+  }
+
+  // Whether most stars along the loop agree that the surface ends there.
+  bool do_stars_end_along(const Boundary_loop& loop) const
   {
     const auto agreed = std::count_if(loop.begin(), loop.end(),
                                       [&](Point_index p) { return m_builder.compatibility().is_point_on_boundary(p); });
-    return loop.size() > MAXIMUM_PLANAR_SIZE && 2 * static_cast<std::size_t>(agreed) > loop.size();
+    return 2 * static_cast<std::size_t>(agreed) > loop.size();
   }
 
   // Where several fans meet at a point, only the largest stays. Returns whether there were none.

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -177,13 +178,7 @@ private:
     double gain;
   };
 
-  std::size_t position_of(Point_index p) const
-  {
-    const std::vector<Point_index>& points = m_cells.points();
-    if (p < points.size() && points[p] == p)
-      return p;
-    return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
-  }
+  std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
   std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
 
@@ -287,16 +282,35 @@ private:
     if (!(g > -m_maximum_loss))
       return;
     flip(cells);
-    if (count_defects(v) < m_defects[v]) {
+    const int change_at_v = count_defects(v) - m_defects[v];
+    // Not worse than the best so far.
+    const int maximum_change = m_best.cells.empty() ? -1 : g > m_best.gain ? m_best.defects : m_best.defects - 1;
+    if (change_at_v < 0) {
       find_touched(cells);
-      int change = 0;
-      for (std::size_t w : m_touched)
-        change += count_defects(w) - m_defects[w];
-      if (change < 0 &&
-          (m_best.cells.empty() || change < m_best.defects || (change == m_best.defects && g > m_best.gain)))
-        m_best = Move{ cells, change, g };
+      const std::optional<int> change = change_of_defects(v, change_at_v, maximum_change);
+      if (change)
+        m_best = Move{ cells, *change, g };
     }
     flip(cells);
+  }
+
+  // By how many defects there are more at the touched vertices, if not more than `maximum`.
+  std::optional<int> change_of_defects(std::size_t v, int change_at_v, int maximum)
+  {
+    // What the vertices may still lessen.
+    int reserve = -m_defects[v];
+    for (std::size_t w : m_touched)
+      reserve += m_defects[w];
+    int change = change_at_v;
+    for (std::size_t w : m_touched) {
+      if (change - reserve > maximum)
+        return std::nullopt;
+      if (w == v)
+        continue;
+      reserve -= m_defects[w];
+      change += count_defects(w) - m_defects[w];
+    }
+    return change <= maximum ? std::optional<int>(change) : std::nullopt;
   }
 
   // The finite cells of the component around v whose change wins most, or loses least; only of

@@ -103,35 +103,25 @@ bool reconstruct_lis(const PointRange& points, const Write& write, const NamedPa
                  internal_np::callback_t, internal_np::visitor_t, internal_np::neighbor_radius_t,
                  internal_np::grid_spacing_t, internal_np::keep_boundaries_t, internal_np::star_construction_t>::value,
     "a named parameter is not known to this function");
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Types = Call_types<PointRange, NamedParameters>;
+  using Call = Reconstruction_call<PointRange, NamedParameters>;
+  using Types = typename Call::Types;
   using Traits = typename Types::Traits;
-  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<typename Types::Stored_visitor&>()))>;
+  using Reconstructor =
+    Lis_reconstructor_3<ConcurrencyTag, Traits, typename Types::Star_construction, typename Call::Visitor>;
 
   const Lis_options options = read_lis_options(np);
-  const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const typename Types::Star_construction construction =
-    choose_parameter<typename Types::Star_construction>(get_parameter(np, internal_np::star_construction));
-  typename Types::Stored_visitor stored_visitor =
-    choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
-  Visitor& visitor = internal::unwrap(stored_visitor);
-  const std::function<bool(double)> callback =
-    choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
-
-  Progress<Visitor> progress(callback, visitor);
-  visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
-  const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, traits);
-  std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
-  visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
-
-  using Reconstructor = Lis_reconstructor_3<ConcurrencyTag, Traits, typename Types::Star_construction, Visitor>;
-  Lis_surface surface;
-  const bool is_complete = Reconstructor(cloud, std::move(normals), construction, options, progress)(surface);
-  if (is_complete)
-    write(cloud, surface);
-  visitor.on_reconstruction_end(!is_complete);
-  return is_complete;
+  Call call(np);
+  return call(points, [&] {
+    const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, call.traits);
+    std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
+    call.report_points_set_aside(cloud);
+    Lis_surface surface;
+    const bool is_complete =
+      Reconstructor(cloud, std::move(normals), call.construction, options, call.progress)(surface);
+    if (is_complete)
+      write(cloud, surface);
+    return is_complete;
+  });
 }
 
 } // namespace internal

@@ -20,8 +20,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
-#include <CGAL/tags.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -52,15 +50,19 @@ public:
       m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
     // Costs are in units of the mean area of the facets of the surface.
     const double unit = estimate_normals(cells, labelling, cancellation_point);
-    const Oriented_labelling oriented(cells, m_points, m_normals,
-                                      Cell_signs(cells, m_points, m_normals).compute<Sequential_tag>());
-    std::vector<double> areas(cells.size(), 0.);
+    // Nothing but the known facets decides cells that have no others.
+    std::vector<unsigned char> is_free(cells.size(), 0);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      is_free[c] = !Cell_complex::is_infinite(cells[c]) && !(known(c, 0) && known(c, 1) && known(c, 2) && known(c, 3));
+    const Oriented_labelling oriented(cells, m_points, m_normals, values(cells, is_free, cancellation_point));
+    std::vector<float> preferences(cells.size(), 0.f);
     double certain = 1.;
     for (Cell_index c = 0; c != cells.size(); ++c)
-      if (!Cell_complex::is_infinite(cells[c])) {
+      if (is_free[c]) {
         cancellation_point();
-        areas[c] = oriented.area(c);
-        certain += areas[c] / unit;
+        const double area = oriented.area(c);
+        preferences[c] = static_cast<float>(oriented.outside_preference(c, area) / unit);
+        certain += area / unit;
       }
     labelling.set_energy(
       [&](Cell_index c, std::size_t i) {
@@ -70,13 +72,26 @@ public:
         const Oriented_labelling::Facet_energy energy = oriented.facet_energy(c, i);
         return Cell_labelling::Cost{ energy.if_inside / unit, energy.if_outside / unit };
       },
-      [&](Cell_index c) {
-        return Cell_complex::is_infinite(cells[c]) ? 0. : oriented.outside_preference(c, areas[c]) / unit;
-      });
+      [&](Cell_index c) { return double(preferences[c]); });
     return certain;
   }
 
 private:
+  // Of the implicit function at the free cells.
+  template <typename CancellationPoint>
+  std::vector<float> values(const Cell_complex& cells, const std::vector<unsigned char>& is_free,
+                            CancellationPoint& cancellation_point) const
+  {
+    const Cell_signs signs(cells, m_points, m_normals);
+    std::vector<float> result(cells.size(), 0.f);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      if (is_free[c]) {
+        cancellation_point();
+        result[c] = float(signs.value(cells[c]));
+      }
+    return result;
+  }
+
   // Normals of the surface at the sites, weighted by angles, away from the label; returns the mean area of
   // its facets.
   template <typename CancellationPoint>

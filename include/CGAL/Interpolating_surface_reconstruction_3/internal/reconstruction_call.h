@@ -15,16 +15,16 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/Restricted_voronoi_star_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Call_types.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_stages.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/parameter_check.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/triangles_to_surface_mesh.h>
 
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <array>
 #include <algorithm>
@@ -35,28 +35,12 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
-
-// The types that the named parameters of a call over `PointRange` stand for.
-template <typename PointRange, typename NamedParameters>
-struct Call_types
-{
-  template <typename Tag, typename Default>
-  using Parameter = typename internal_np::Lookup_named_param_def<Tag, NamedParameters, Default>::type;
-
-  using Element = typename std::iterator_traits<typename PointRange::const_iterator>::value_type;
-  using Point_map = Parameter<internal_np::point_t, Identity_property_map<Element> >;
-  using Point_3 = typename boost::property_traits<Point_map>::value_type;
-  using Traits = Parameter<internal_np::geom_traits_t, typename Kernel_traits<Point_3>::Kernel>;
-  using Star_construction = Parameter<internal_np::star_construction_t, Restricted_voronoi_star_3>;
-  using Stored_visitor = Parameter<internal_np::visitor_t, Default_visitor>;
-
-  static constexpr bool has_normals = !parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value;
-};
 
 template <typename Visitor>
 Visitor& unwrap(Visitor& visitor)
@@ -143,6 +127,55 @@ std::vector<Local_vector> read_normals(const PointRange& points, NormalMap norma
   return normals;
 }
 
+// What all algorithms need of the parameters of a call, and its progress.
+template <typename PointRange, typename NamedParameters>
+class Reconstruction_call
+{
+public:
+  using Types = Call_types<PointRange, NamedParameters>;
+  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<typename Types::Stored_visitor&>()))>;
+
+private:
+  typename Types::Stored_visitor m_stored_visitor;
+
+public:
+  explicit Reconstruction_call(const NamedParameters& np)
+    : m_stored_visitor(choose<Default_visitor>(np, internal_np::visitor)),
+      traits(choose<typename Types::Traits>(np, internal_np::geom_traits)),
+      construction(choose<typename Types::Star_construction>(np, internal_np::star_construction)),
+      visitor(internal::unwrap(m_stored_visitor)),
+      progress(choose<std::function<bool(double)> >(np, internal_np::callback), visitor)
+  { }
+
+  // Runs reconstruct(), which returns false if cancelled, and so does this.
+  template <typename Reconstruct>
+  bool operator()(const PointRange& points, const Reconstruct& reconstruct)
+  {
+    visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
+    const bool is_complete = reconstruct();
+    visitor.on_reconstruction_end(!is_complete);
+    return is_complete;
+  }
+
+  template <typename Cloud>
+  void report_points_set_aside(const Cloud& cloud)
+  {
+    visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
+  }
+
+  const typename Types::Traits traits;
+  const typename Types::Star_construction construction;
+  Visitor& visitor;
+  Progress<Visitor> progress;
+
+private:
+  template <typename Default, typename Tag>
+  static auto choose(const NamedParameters& np, Tag tag)
+  {
+    return parameters::choose_parameter<Default>(parameters::get_parameter(np, tag));
+  }
+};
+
 // Reads and checks the parameters, runs the algorithm, and calls output(triangle) for each triangle.
 // Returns false if cancelled; nothing is written then.
 template <typename Algorithm, typename PointRange, typename Output, typename NamedParameters>
@@ -155,35 +188,44 @@ bool reconstruct(const PointRange& points, const Output& output, const NamedPara
                 "a named parameter is not known to this function");
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Types = Call_types<PointRange, NamedParameters>;
-  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<typename Types::Stored_visitor&>()))>;
+  using Call = Reconstruction_call<PointRange, NamedParameters>;
+  using Types = typename Call::Types;
+  using Reconstructor =
+    typename Algorithm::template Reconstructor<typename Types::Traits, typename Types::Star_construction,
+                                               typename Call::Visitor>;
 
   const Reconstruction_options options = read_options(np);
   const typename Types::Point_map point_map =
     choose_parameter<typename Types::Point_map>(get_parameter(np, internal_np::point_map));
-  const typename Types::Traits traits =
-    choose_parameter<typename Types::Traits>(get_parameter(np, internal_np::geom_traits));
-  const typename Types::Star_construction construction =
-    choose_parameter<typename Types::Star_construction>(get_parameter(np, internal_np::star_construction));
-  typename Types::Stored_visitor stored_visitor =
-    choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
-  Visitor& visitor = internal::unwrap(stored_visitor);
-  const std::function<bool(double)> callback =
-    choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  Call call(np);
+  return call(points, [&] {
+    const Point_cloud_3<typename Types::Traits> cloud(points, point_map, call.traits);
+    call.report_points_set_aside(cloud);
+    std::vector<Local_vector> normals;
+    if constexpr (Types::has_normals)
+      normals = read_normals(points, get_parameter(np, internal_np::normal_map), cloud);
+    return Reconstructor(cloud, normals, call.construction, options, call.progress)(output);
+  });
+}
 
-  Progress<Visitor> progress(callback, visitor);
-  visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
-  const Point_cloud_3<typename Types::Traits> cloud(points, point_map, traits);
-  visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
-  std::vector<Local_vector> normals;
-  if constexpr (Types::has_normals)
-    normals = read_normals(points, get_parameter(np, internal_np::normal_map), cloud);
+// The same with an output iterator of triangles, which is returned after the last of them.
+template <typename Algorithm, typename PointRange, typename TriangleOutputIterator, typename NamedParameters>
+TriangleOutputIterator reconstruct_triangles(const PointRange& points, TriangleOutputIterator triangles,
+                                             const NamedParameters& np)
+{
+  reconstruct<Algorithm>(
+    points, [&](const std::array<std::size_t, 3>& triangle) { *triangles++ = triangle; }, np);
+  return triangles;
+}
 
-  using Reconstructor =
-    typename Algorithm::template Reconstructor<typename Types::Traits, typename Types::Star_construction, Visitor>;
-  const bool is_complete = Reconstructor(cloud, normals, construction, options, progress)(output);
-  visitor.on_reconstruction_end(!is_complete);
-  return is_complete;
+// The same as a mesh.
+template <typename Algorithm, typename PointRange, typename Point, typename NamedParameters>
+bool reconstruct_mesh(const PointRange& points, Surface_mesh<Point>& mesh, const NamedParameters& np)
+{
+  std::vector<std::array<std::size_t, 3> > triangles;
+  const bool is_complete = reconstruct<Algorithm>(
+    points, [&](const std::array<std::size_t, 3>& triangle) { triangles.push_back(triangle); }, np);
+  return is_complete && triangles_to_surface_mesh(points, triangles, mesh, np);
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Coplanarity_queue.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Growing_front.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
@@ -23,8 +24,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/parallel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
-
-#include <boost/heap/d_ary_heap.hpp>
 
 #include <algorithm>
 #include <array>
@@ -262,7 +261,7 @@ private:
   const Front_candidates<Builder> m_find_candidate;
   const Front_gaps m_choose_gap;
   std::vector<Triangle> m_disputed; // those on which the stars do not agree
-  boost::heap::d_ary_heap<Entry, boost::heap::arity<4> > m_queue;
+  Coplanarity_queue<Entry> m_queue;
   std::vector<Front_candidate> m_candidates; // of the edges
   std::size_t m_attached = 0, m_steps = 0;
 };
