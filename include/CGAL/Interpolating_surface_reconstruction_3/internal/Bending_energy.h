@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 namespace CGAL {
@@ -81,7 +80,7 @@ public:
       }
     for (std::size_t i = 0; i != 4; ++i) {
       m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);
-      if ((m_agreed[c] >> i & 1) != 0)
+      if (m_agreement != 0. && is_agreed(c, i))
         result += (m_is_facet_on_surface[i] ? 1. : -1.) * worth_of_agreement(Cell_complex::facet(m_cells[c], i));
     }
     for (std::size_t i = 0; i != 4; ++i)
@@ -95,6 +94,17 @@ public:
     m_labelling.flip(c);
     for (Point_index p : m_cells[c].vertices)
       count_defects(position_of(p), c);
+  }
+
+  // From now on, an agreed facet on the surface is worth half of its perimeter times the factor.
+  void set_worth_of_agreement(double factor) { m_agreement = factor; }
+
+  bool has_lost_agreed_facet(Cell_index c) const
+  {
+    for (std::size_t i = 0; i != 4; ++i)
+      if (is_agreed(c, i) && !m_labelling.is_surface(c, i))
+        return true;
+    return false;
   }
 
   // What a defect costs at the vertices of the finite cell, at most.
@@ -114,9 +124,6 @@ private:
 
   // Worth of an edge where the surface is flat.
   static constexpr double FLAT_SHARE = .1;
-
-  // Worth of an agreed triangle, in half perimeters.
-  inline static double AGREEMENT = getenv("AGR") ? atof(getenv("AGR")) : .3;
 
   static constexpr double PI = 3.14159265358979323846;
 
@@ -155,10 +162,11 @@ private:
     }
   }
 
-  // An agreed facet on the surface makes up for its flat share of the edges, and more.
+  bool is_agreed(Cell_index c, std::size_t i) const { return (m_agreed[c] >> i & 1) != 0; }
+
   double worth_of_agreement(const std::array<Point_index, 3>& f) const
   {
-    return .5 * AGREEMENT * (length(f[0], f[1]) + length(f[1], f[2]) + length(f[2], f[0]));
+    return .5 * m_agreement * (length(f[0], f[1]) + length(f[1], f[2]) + length(f[2], f[0]));
   }
 
   double length(Point_index p, Point_index q) const
@@ -265,6 +273,7 @@ private:
   std::vector<int> m_defects;         // of the vertices, now
   std::vector<Point_index> m_apexes;  // of the facets on the surface around an edge
   std::vector<unsigned char> m_agreed; // facets of the cells, as bits
+  double m_agreement = 0.;
   std::size_t m_facets_at_edge = 0;   // on the surface, around the last edge
   // Of the last cell.
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};

@@ -56,12 +56,16 @@ public:
   void operator()(std::size_t& effort, Cancellation_point&& cancellation_point)
   {
     m_effort = effort;
-    for (std::size_t round = 0; round != MAXIMUM_ROUNDS && m_effort != 0; ++round)
-      for (const Link& seed : find_seeds(cancellation_point)) {
-        cancellation_point(MICROSECONDS_PER_CHAIN);
-        if (m_effort != 0 && is_at_surface(seed.cell) && follow_chain(seed.cell))
-          wake();
-      }
+    follow_chains(cancellation_point);
+    const double agr = getenv("AGR") ? atof(getenv("AGR")) : 1.;
+    if (agr != 0) {
+    m_energy.set_worth_of_agreement(agr);
+    m_maximum_chain = getenv("RC") ? atoi(getenv("RC")) : 1;
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      if (m_state[c] != State::FIXED)
+        m_state[c] = m_energy.has_lost_agreed_facet(c) ? State::AWAKE : State::ASLEEP;
+    follow_chains(cancellation_point);
+    }
     effort = m_effort;
   }
 
@@ -97,6 +101,17 @@ private:
     double cost;
     bool operator<(const Link& other) const { return cost < other.cost || (cost == other.cost && cell < other.cell); }
   };
+
+  template <typename Cancellation_point>
+  void follow_chains(Cancellation_point& cancellation_point)
+  {
+    for (std::size_t round = 0; round != MAXIMUM_ROUNDS && m_effort != 0; ++round)
+      for (const Link& seed : find_seeds(cancellation_point)) {
+        cancellation_point(MICROSECONDS_PER_CHAIN);
+        if (m_effort != 0 && is_at_surface(seed.cell) && follow_chain(seed.cell))
+          wake();
+      }
+  }
 
   bool is_at_surface(Cell_index c) const
   {
@@ -147,7 +162,7 @@ private:
         best = m_links.size();
       }
       const bool is_after_best = best != 0 && m_links.size() >= best + LINKS_AFTER_BEST;
-      if (m_candidates.empty() || m_links.size() == MAXIMUM_CHAIN || is_after_best)
+      if (m_candidates.empty() || m_links.size() == m_maximum_chain || is_after_best)
         break;
     }
     cut_chain(best);
@@ -214,7 +229,7 @@ private:
   Labelling& m_labelling;
   Bending_energy<Labelling> m_energy;
   Small_surface_part<Labelling> m_has_small_part;
-  std::size_t m_effort = 0;
+  std::size_t m_effort = 0, m_maximum_chain = MAXIMUM_CHAIN;
   std::vector<State> m_state;            // of each cell
   std::vector<std::uint32_t> m_chain_of; // of each cell: the last chain that came to it
   std::uint32_t m_chain = 0;
