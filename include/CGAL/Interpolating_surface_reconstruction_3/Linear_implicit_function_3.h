@@ -176,6 +176,20 @@ public:
   Bbox_3 bbox() const { return m_data->bbox; }
 
   /// \cond SKIP_IN_MANUAL
+  double largest_radius() const
+  {
+    const std::vector<double>& radii = m_data->pieces.radii();
+    return radii.empty() ? 0. : m_data->cloud.global_length(*std::max_element(radii.begin(), radii.end()));
+  }
+
+  // Calls visit(p, radius) for each point that is used, with the mean radius of its star.
+  template <typename Visit>
+  void for_each_sample(Visit visit) const
+  {
+    for (internal::Point_index p = 0; p != m_data->cloud.size(); ++p)
+      visit(m_data->cloud.point(p), m_data->cloud.global_length(m_data->pieces.radii()[p]));
+  }
+
   double sum_of_squared_radii() const
   {
     double sum = 0.;
