@@ -61,9 +61,9 @@ def main():
             sums[half(model)] = [a + b for a, b in zip(sums[half(model)], found)]
             if not found[2]:
                 failures.append("%s: %s" % (name, describe(model, row, front[model]["AF"], reference)))
-        for number in sums:
+        for number, found in sums.items():
             print("| %s | %d | %s | %.1f | %.2f |" % (
-                name, number + 1, " | ".join("%d" % value for value in sums[number][:6]), *sums[number][6:]))
+                name, number + 1, " | ".join("%d" % value for value in found[:6]), *found[6:]))
     print("\nWrong topology: model, half, points, Euler (method / front / original), boundary edges, crossings, H, mean")
     print("\n".join(failures))
 
