@@ -111,7 +111,7 @@ private:
   }
 
   // The candidates of a leaf are too many where the box around it holds a much denser part of the points.
-  static constexpr std::size_t MAXIMUM_CANDIDATES = 8192;
+  static constexpr std::size_t MAXIMUM_CANDIDATES = 4096;
 
   // Coordinates relative to the leaf in single precision: they only rank. False if there are too many.
   bool gather(const Point_octree_3::Node& leaf, const Local_box& box)
