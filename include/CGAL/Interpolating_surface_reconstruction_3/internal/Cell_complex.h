@@ -157,8 +157,10 @@ private:
   void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
   {
     const std::vector<Delaunay::Cell_handle> order = sorted_cells(delaunay, cancellation_point);
-    for (std::size_t c = 0; c != order.size(); ++c)
+    for (std::size_t c = 0; c != order.size(); ++c) {
+      cancellation_point();
       order[c]->info() = static_cast<Cell_index>(c);
+    }
     m_cells.resize(order.size());
     for (std::size_t c = 0; c != order.size(); ++c) {
       cancellation_point();
@@ -187,13 +189,17 @@ private:
       return std::size_t((std::min)((std::min)(v[0], v[1]), (std::min)(v[2], v[3])));
     };
     std::vector<Cell_index> next(m_points.size() + 1, 0);
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+      cancellation_point();
       ++next[smallest(cell) + 1];
+    }
     for (std::size_t k = 0; k != m_points.size(); ++k)
       next[k + 1] += next[k];
     std::vector<Delaunay::Cell_handle> result(next.back());
-    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
+    for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+      cancellation_point();
       result[next[smallest(cell)]++] = cell;
+    }
     using Keyed_cell = std::pair<std::array<Point_index, 4>, Delaunay::Cell_handle>;
     std::vector<Keyed_cell> bucket;
     for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k) {

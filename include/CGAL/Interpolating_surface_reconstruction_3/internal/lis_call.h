@@ -121,7 +121,12 @@ bool reconstruct_lis(const PointRange& points, const Write& write, const NamedPa
 
   Progress<Visitor> progress(callback, visitor);
   visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
-  const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, traits);
+  const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, traits, [&] { return progress.advance(0.); });
+  if (progress.is_cancelled()) {
+    progress.finish();
+    visitor.on_reconstruction_end(true);
+    return false;
+  }
   std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
   visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
 

@@ -53,7 +53,10 @@ public:
     // Costs are in units of the mean area of the facets of the surface.
     const double unit = estimate_normals(cells, labelling, cancellation_point);
     const Oriented_labelling oriented(cells, m_points, m_normals,
-                                      Cell_signs(cells, m_points, m_normals).compute<Sequential_tag>());
+                                      Cell_signs(cells, m_points, m_normals).compute<Sequential_tag>([&] {
+                                        cancellation_point(1000); // for thousands of cells
+                                        return true;
+                                      }));
     std::vector<double> areas(cells.size(), 0.);
     double certain = 1.;
     for (Cell_index c = 0; c != cells.size(); ++c)

@@ -173,7 +173,13 @@ bool reconstruct(const PointRange& points, const Output& output, const NamedPara
 
   Progress<Visitor> progress(callback, visitor);
   visitor.on_reconstruction_begin(static_cast<std::size_t>(std::distance(points.begin(), points.end())));
-  const Point_cloud_3<typename Types::Traits> cloud(points, point_map, traits);
+  const Point_cloud_3<typename Types::Traits> cloud(
+    points, point_map, traits, [](const auto&) { return true; }, [&] { return progress.advance(0.); });
+  if (progress.is_cancelled()) {
+    progress.finish();
+    visitor.on_reconstruction_end(true);
+    return false;
+  }
   visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
   std::vector<Local_vector> normals;
   if constexpr (Types::has_normals)
