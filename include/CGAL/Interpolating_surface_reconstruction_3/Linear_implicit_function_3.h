@@ -132,7 +132,7 @@ public:
     const auto construction = parameters::choose_parameter<typename Types::Star_construction>(
       parameters::get_parameter(np, internal_np::star_construction));
     const Traits traits = parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
-    auto cloud = internal::read_samples<Types>(points, np, traits);
+    auto cloud = internal::read_samples<Types>(points, np, traits, [] { return true; });
     std::vector<internal::Local_vector> normals = internal::read_sample_normals<Types>(points, np, cloud);
     if (normals.empty())
       normals =
