@@ -65,8 +65,8 @@ inline std::vector<std::unique_ptr<Method> > methods_of_names(const std::vector<
   return chosen;
 }
 
-// Gives a model without normals the area-weighted ones of the vertices of its surface, if it has
-// one.
+// Gives a model without normals the area-weighted ones of the vertices of its surface, if it has one. They point
+// outside although some files are oriented inside out.
 inline void set_reference_normals(Model& model)
 {
   if (model.triangles.empty() || !model.normals.empty())
@@ -76,6 +76,12 @@ inline void set_reference_normals(Model& model)
     for (std::size_t v : t)
       model.normals[v] = model.normals[v] + CGAL::cross_product(model.points[t[1]] - model.points[t[0]],
                                                                 model.points[t[2]] - model.points[t[0]]);
+  double volume = 0.;
+  for (const Triangle& t : model.triangles)
+    volume += CGAL::volume(model.points[0], model.points[t[0]], model.points[t[1]], model.points[t[2]]);
+  if (volume < 0.)
+    for (Vector& normal : model.normals)
+      normal = -normal;
 }
 
 // Triangles of positions in the points of the model: methods that write vertices do so in their

@@ -1,6 +1,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/adaptive_linear_implicit_isosurface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_isosurface.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
@@ -26,12 +27,19 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The function of the thesis: its weight, and a grid whose step is the smallest radius of a star.
-  const isr::Linear_implicit_function_3<Kernel, isr::Quadratic_weight> function(points, points.parameters());
+  // Cells as small as the spacing of the points asks for, everywhere.
+  const isr::Linear_implicit_function_3<Kernel> function(points, points.parameters());
   std::vector<Point_3> vertices;
   std::vector<std::array<std::size_t, 3> > triangles;
-  isr::linear_implicit_isosurface(function, vertices, triangles);
+  const std::size_t cells = isr::adaptive_linear_implicit_isosurface(function, vertices, triangles);
+  std::cout << points.size() << " points, " << triangles.size() << " triangles in " << cells << " cells" << std::endl;
 
-  std::cout << points.size() << " points, " << triangles.size() << " triangles of a grid" << std::endl;
+  // The method of the thesis: its weight, and a grid whose step is the smallest radius of a star.
+  const isr::Linear_implicit_function_3<Kernel, isr::Quadratic_weight> thesis_function(points, points.parameters());
+  std::vector<Point_3> thesis_vertices;
+  std::vector<std::array<std::size_t, 3> > thesis_triangles;
+  const std::size_t cubes = isr::linear_implicit_isosurface(thesis_function, thesis_vertices, thesis_triangles);
+  std::cout << "on a grid: " << thesis_triangles.size() << " triangles in " << cubes << " cubes" << std::endl;
+
   return CGAL::IO::write_polygon_soup("isosurface.off", vertices, triangles) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

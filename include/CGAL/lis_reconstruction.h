@@ -120,7 +120,7 @@ both ranges are appended to
   \cgalParamNEnd
   \cgalParamNBegin{keep_boundaries}
     \cgalParamDescription{* whether openings stay open whose triangles are much larger than those around
-      them. The surface may have a boundary then}
+      them and have no share in the normals. The surface may have a boundary then}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -12,7 +12,8 @@
 #ifndef ISR_TEST_HOSTILE_H
 #define ISR_TEST_HOSTILE_H
 
-#include "isr_test_samples.h"
+#include "isr_test_hostile_structures.h"
+#include "isr_test_hostile_utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,63 +25,7 @@
 
 namespace isr_test {
 
-// Inputs made to break a reconstruction. A generator makes about n points, the same ones for the same
-// n and seed; n serves to measure how time and memory grow.
-struct Hostile_generator
-{
-  std::string name;
-  Points (*generate)(std::size_t n, std::uint64_t seed);
-};
-
 namespace hostile {
-
-inline std::size_t root(double n, double degree)
-{
-  return (std::max)(std::size_t(2), std::size_t(std::lround(std::pow(n, 1. / degree))));
-}
-
-// Number of cells along the side of a box whose surface has about n points.
-inline std::size_t box_side(std::size_t n) { return root(double(n) / 6., 2.); }
-
-inline std::size_t sheet_side(std::size_t n) { return root(double(n), 2.) - 1; }
-
-inline Points lattice(std::size_t n)
-{
-  const std::size_t m = root(double(n), 3.);
-  Points points;
-  for (std::size_t i = 0; i != m * m * m; ++i)
-    points.emplace_back(double(i % m), double(i / m % m), double(i / m / m));
-  return points;
-}
-
-// The spacing of n points on a unit sphere.
-inline double sphere_spacing(std::size_t n) { return std::sqrt(4. * PI / double(n)); }
-
-// A coordinate moved by up to `ulps` floating-point numbers.
-inline double nudged(double c, Random& random, std::size_t ulps)
-{
-  const std::size_t steps = random.below(2 * ulps + 1);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i != steps / 2; ++i)
-    c = std::nextafter(c, steps % 2 == 0 ? infinity : -infinity);
-  return c;
-}
-
-inline Points nudged(Points points, std::uint64_t seed, std::size_t ulps)
-{
-  Random random(seed);
-  for (Point& p : points) {
-    const double x = nudged(p.x(), random, ulps), y = nudged(p.y(), random, ulps), z = nudged(p.z(), random, ulps);
-    p = Point(x, y, z);
-  }
-  return points;
-}
-
-inline Points joined(Points points, const Points& more)
-{
-  append(points, more);
-  return points;
-}
 
 // ---- too few dimensions --------------------------------------------------------------------------
 
@@ -511,6 +456,29 @@ inline std::vector<Hostile_generator> hostile_corpus()
     { "thrice", hostile::thrice },
     { "nearly thrice", hostile::nearly_thrice },
     { "extreme aspect", hostile::aspect_extreme },
+    { "close packing", hostile::close_packing },
+    { "two lattices", hostile::lattices_interleaved },
+    { "lattice of unlike spacings", hostile::lattice_anisotropic },
+    { "layers", hostile::layers },
+    { "rotated sheet, nudged", hostile::sheet_rotated_nudged },
+    { "circles around a center", hostile::circles_concentric },
+    { "paraboloid", hostile::paraboloid },
+    { "sphere, nudged", hostile::sphere_nudged },
+    { "nested spheres", hostile::spheres_nested },
+    { "lattice of touching spheres", hostile::spheres_tangent },
+    { "specks", hostile::specks },
+    { "dense cluster", hostile::cluster_dense },
+    { "book", hostile::book },
+    { "lines through a point", hostile::lines_crossing },
+    { "rays of growing steps", hostile::rays_growing },
+    { "Cantor dust", hostile::cantor_dust },
+    { "Sierpinski tetrahedron", hostile::sierpinski },
+    { "spiral", hostile::spiral },
+    { "sunflower", hostile::sunflower },
+    { "horn torus", hostile::horn_torus },
+    { "comb", hostile::comb },
+    { "both ends of the range", hostile::range_both_ends },
+    { "powers of two", hostile::powers_of_two },
   };
 }
 

@@ -8,7 +8,7 @@ build=$root/build-tests
 
 "$root"/examples/Interpolating_surface_reconstruction_3/install_packages.sh \
   g++ make cmake ccache libcgal-dev libeigen3-dev libtbb-dev libboost-program-options-dev \
-  libbenchmark-dev clang clang-format libclang-rt-dev doxygen python3 python3-matplotlib
+  libbenchmark-dev clang clang-format clang-tidy libclang-rt-dev doxygen python3 python3-matplotlib
 
 # The tests are small: compiling takes most of the time, and half as long as with -O3.
 cmake -S "$root" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \

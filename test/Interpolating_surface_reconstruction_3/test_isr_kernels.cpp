@@ -63,6 +63,28 @@ void test_degenerate(const std::string& kernel)
   ISR_CHECK(validation::is_oriented_manifold(grid, ctc(grid, params::keep_boundaries(true)), K()));
 }
 
+// Few points near the positions of a lattice: predicates that are not exact contradict themselves.
+template <typename K>
+void test_near_lattice(const std::string& kernel)
+{
+  begin_case(kernel + ", points near a lattice");
+  Random random(1);
+  const auto coordinate = [&] { return double(random.below(3)) + (double(random.below(3)) - 1.) * 0x1p-51; };
+  for (std::size_t i = 0; i != 200; ++i) {
+    Points points;
+    for (std::size_t j = 8 + random.below(6); j-- != 0;) {
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      points.emplace_back(x, y, z);
+    }
+    for (const Triples& triples : { ctc(converted<K>(points)), pcr(converted<K>(points)) }) {
+      ISR_CHECK(validation::are_indices_valid(triples, points.size()));
+      ISR_CHECK(validation::is_edge_manifold(triples));
+      ISR_CHECK(validation::is_vertex_manifold(triples));
+      ISR_CHECK(validation::is_consistently_oriented(triples));
+    }
+  }
+}
+
 template <typename K>
 void test_kernel(const std::string& kernel)
 {
@@ -70,6 +92,7 @@ void test_kernel(const std::string& kernel)
   test_sample<K>(kernel, torus(24, 12, .2, 1));
   test_sample<K>(kernel, box(5, 5, 5));
   test_degenerate<K>(kernel);
+  test_near_lattice<K>(kernel);
 }
 
 // All of them know the same coordinates, so they agree.

@@ -14,6 +14,7 @@
 #include "isr_test_lis.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/adaptive_linear_implicit_isosurface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_isosurface.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -210,8 +211,117 @@ void test_isosurface()
     }
   begin_case("no points");
   Soup none;
+  isr::adaptive_linear_implicit_isosurface(Function(Oriented_points(), oriented_maps()), none.points, none.triangles);
   isr::linear_implicit_isosurface(Function(Oriented_points(), oriented_maps()), none.points, none.triangles);
   ISR_CHECK(none.triangles.empty());
+}
+
+double distance_to_torus(const Point& p)
+{
+  const double r = std::sqrt(p.x() * p.x() + p.y() * p.y()) - 1.;
+  return std::abs(std::sqrt(r * r + p.z() * p.z()) - .4);
+}
+
+void check_closed_manifold(const Soup& soup, std::ptrdiff_t euler_characteristic, std::size_t components)
+{
+  ISR_CHECK(validation::are_indices_valid(soup.triangles, soup.points.size()));
+  ISR_CHECK(validation::is_vertex_manifold(soup.triangles));
+  ISR_CHECK(validation::is_consistently_oriented(soup.triangles));
+  ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(soup.triangles), euler_characteristic);
+  ISR_CHECK_EQUAL(validation::number_of_components(soup.triangles), components);
+  ISR_CHECK(are_outward(soup.points, soup.triangles));
+}
+
+// A point every `spacing` of a sphere around the z-axis, but every 1/64 of that near the pole.
+Oriented_points nonuniform_sphere(double spacing)
+{
+  Oriented_points samples;
+  constexpr double pi = 3.14159265358979323846;
+  for (double t = 0.; t < pi;) {
+    const double step = spacing * (t < .1 ? 1. / 64 : (std::min)(1., (t - .1) * .5 + 1. / 64));
+    const int n = (std::max)(1, int(2. * pi * std::sin(t) / step));
+    for (int i = 0; i != n; ++i) {
+      const double u = 2. * pi * (i + (samples.size() % 2 == 0 ? 0. : .5)) / n;
+      const Vector v(std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t));
+      samples.emplace_back(CGAL::ORIGIN + v, v);
+    }
+    t += step;
+  }
+  samples.emplace_back(Point(0, 0, -1), Vector(0, 0, -1));
+  return samples;
+}
+
+void test_adaptive_isosurface()
+{
+  begin_case("adaptive isosurface of a torus");
+  const Function f(with_normals(torus(60, 24, .2, 3).points, normal_of_torus), oriented_maps());
+  Soup soup;
+  const std::size_t cells = isr::adaptive_linear_implicit_isosurface(f, soup.points, soup.triangles);
+  check_closed_manifold(soup, 0, 1);
+  for (const Point& p : soup.points)
+    ISR_CHECK(distance_to_torus(p) < .01);
+  Soup fine;
+  const std::size_t fine_cells = isr::adaptive_linear_implicit_isosurface(f, fine.points, fine.triangles, .5);
+  check_closed_manifold(fine, 0, 1);
+  ISR_CHECK(double(fine_cells) > 3. * double(cells) && double(fine_cells) < 5. * double(cells));
+
+  begin_case("two components far apart: the cells are those of the surface, not of the box");
+  Oriented_points samples = sphere();
+  const Function one(samples, oriented_maps());
+  const std::size_t n = samples.size();
+  for (std::size_t i = 0; i != n; ++i)
+    samples.emplace_back(samples[i].first + Vector(1e5, -1e4, 1e3), samples[i].second);
+  const Function two(samples, oriented_maps());
+  Soup near, far;
+  const double near_cells = double(isr::adaptive_linear_implicit_isosurface(one, near.points, near.triangles));
+  const double far_cells = double(isr::adaptive_linear_implicit_isosurface(two, far.points, far.triangles));
+  check_closed_manifold(near, 2, 1);
+  check_closed_manifold(far, 4, 2);
+  // the grids have other sizes of cells, up to twice
+  ISR_CHECK(far_cells < 8. * near_cells);
+
+  begin_case("spacing that varies");
+  const Oriented_points varied = nonuniform_sphere(.1);
+  const Function g(varied, oriented_maps());
+  Soup adapted;
+  const std::size_t adapted_cells = isr::adaptive_linear_implicit_isosurface(g, adapted.points, adapted.triangles);
+  check_closed_manifold(adapted, 2, 1);
+  for (const Point& p : adapted.points)
+    ISR_CHECK(std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.) < .01);
+  ISR_CHECK(adapted_cells < 10 * varied.size());
+  // a grid of one size would have far more
+  ISR_CHECK(g.sum_of_squared_radii() > 20. * double(adapted_cells) * g.smallest_radius() * g.smallest_radius());
+
+  begin_case("the same for any number of threads");
+  Soup parallel;
+  isr::adaptive_linear_implicit_isosurface<CGAL::Parallel_if_available_tag>(g, parallel.points, parallel.triangles);
+  ISR_CHECK(parallel.points == adapted.points && parallel.triangles == adapted.triangles);
+
+  begin_case("an open sheet ends at the box");
+  const Function plane(with_normals(plane_grid(10).points, [](const Point&) { return Vector(0, 0, 1); }),
+                       oriented_maps());
+  Soup sheet;
+  isr::adaptive_linear_implicit_isosurface(plane, sheet.points, sheet.triangles);
+  ISR_CHECK(validation::is_vertex_manifold(sheet.triangles));
+  ISR_CHECK_EQUAL(validation::euler_characteristic(sheet.triangles), 1);
+  for (const Point& p : sheet.points)
+    ISR_CHECK(std::abs(p.z()) < .01);
+
+  begin_case("bad arguments");
+  const auto throws = [&](double step, std::size_t maximum) {
+    Soup none;
+    try {
+      isr::adaptive_linear_implicit_isosurface(f, none.points, none.triangles, step, maximum);
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what()).find("relative_step") == 0 && none.points.empty();
+    }
+    return false;
+  };
+  for (double step : { 0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+    ISR_CHECK(throws(step, 1000000));
+  ISR_CHECK(throws(1., 1000));
+  ISR_CHECK(throws(1e-9, 1000000));
 }
 
 } // namespace
@@ -225,5 +335,6 @@ int main()
   test_copies_and_threads();
   test_few_samples();
   test_isosurface();
+  test_adaptive_isosurface();
   return result();
 }

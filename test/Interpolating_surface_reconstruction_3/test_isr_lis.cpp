@@ -357,6 +357,30 @@ void test_boundaries()
   ISR_CHECK(validation::is_oriented_manifold(open.points, open.triangles, Kernel()));
   ISR_CHECK_EQUAL(validation::number_of_boundary_loops(open.triangles), 1u);
   ISR_CHECK_EQUAL(validation::euler_characteristic(open.triangles), 1);
+  begin_case("the ends of a tube are kept");
+  constexpr int SIDES = 40, RINGS = 30;
+  Oriented_points tube;
+  for (int i = 0; i != RINGS; ++i)
+    for (int j = 0; j != SIDES; ++j) {
+      const double u = 2. * 3.14159265358979323846 * (j + (i % 2 == 0 ? 0. : .5)) / SIDES;
+      tube.emplace_back(Point(std::cos(u), std::sin(u), .14 * i), Vector(std::cos(u), std::sin(u), 0));
+    }
+  const Soup ends = lis(tube, params::combine(params::keep_boundaries(true), oriented_maps()));
+  ISR_CHECK(validation::is_oriented_manifold(ends.points, ends.triangles, Kernel()));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(ends.triangles), 2u);
+  ISR_CHECK_EQUAL(validation::boundary_edges(ends.triangles).size(), std::size_t(2 * SIDES));
+
+  begin_case("flat ends that have a share in the normals stay closed");
+  for (Oriented_point& s : tube) {
+    if (s.first.z() < .1)
+      s.second = s.second + Vector(0, 0, -3);
+    else if (s.first.z() > .14 * (RINGS - 1) - .1)
+      s.second = s.second + Vector(0, 0, 3);
+  }
+  ISR_CHECK(
+    validation::boundary_edges(lis(tube, params::combine(params::keep_boundaries(true), oriented_maps())).triangles)
+      .empty());
+
   begin_case("a closed surface stays closed");
   for (const Solid& s : { solid(sphere_random(1500, 5), from_origin), box_solid(box_varying_spacing(20)) })
     ISR_CHECK(validation::boundary_edges(

@@ -107,6 +107,27 @@ void test_clusters_of_different_spacing()
   compare(nested, 8);
 }
 
+// All points are nearer to a center, in whatever scale, than the next ones around it.
+void test_scales_around_center()
+{
+  std::vector<Local_point> points;
+  const std::vector<Local_point> directions = random_box(20000, 15);
+  for (std::size_t i = 0; i != directions.size(); ++i)
+    points.push_back(CGAL::ORIGIN + (directions[i] - CGAL::ORIGIN) * std::pow(2., -40. * double(i) / 20000.));
+  const Indexed_points indexed(points);
+  for (const double maximum_radius : { INFINITE, 1e-3 }) {
+    Nearest_neighbors neighbors(indexed.points, indexed.octree, maximum_radius);
+    std::size_t size = 16;
+    for (Point_index p = 0; p < points.size(); p += 101)
+      neighbors.for_point(p, size, 64, [&](Point_index q, const Star_neighborhood& n) {
+        assert(q == p);
+        check(indexed, p, n, neighbors.indices(), size, maximum_radius);
+        size = size == 16 ? 32 : 16;
+        return size == 16;
+      });
+  }
+}
+
 // Coordinates whose squares have no room in single precision.
 void test_tiny_spacing()
 {
@@ -187,6 +208,7 @@ int main()
   test_growth();
   test_far_outlier();
   test_tiny_spacing();
+  test_scales_around_center();
   std::cout << "done" << std::endl;
   return 0;
 }

@@ -52,7 +52,10 @@ void check(const std::vector<Local_point>& points)
   const Point_octree_3& octree = indexed.octree;
   if (points.empty()) {
     assert(octree.nodes().empty() && octree.leaves().empty());
-    octree.for_each_leaf_overlapping(Local_box{ { 0, 0, 0 }, { 1, 1, 1 } }, [](const Node&) { assert(false); });
+    octree.for_each_leaf_overlapping(Local_box{ { 0, 0, 0 }, { 1, 1, 1 } }, [](const Node&) {
+      assert(false);
+      return true;
+    });
     return;
   }
   assert(octree.node(0).begin == 0 && octree.node(0).end == points.size() && octree.node(0).parent == 0);
@@ -110,8 +113,14 @@ void test_overlapping_leaves()
     for (std::uint32_t leaf : indexed.octree.leaves())
       if (indexed.octree.node(leaf).box.overlaps(box))
         expected.push_back(indexed.octree.node(leaf).begin);
-    indexed.octree.for_each_leaf_overlapping(box, [&](const Node& n) { without_stack.push_back(n.begin); });
-    indexed.octree.for_each_leaf_overlapping(box, stack, [&](const Node& n) { with_stack.push_back(n.begin); });
+    indexed.octree.for_each_leaf_overlapping(box, [&](const Node& n) {
+      without_stack.push_back(n.begin);
+      return true;
+    });
+    indexed.octree.for_each_leaf_overlapping(box, stack, [&](const Node& n) {
+      with_stack.push_back(n.begin);
+      return true;
+    });
     assert(with_stack == without_stack);
     std::sort(with_stack.begin(), with_stack.end());
     assert(with_stack == expected);

@@ -51,9 +51,9 @@ private:
   using Function = CGAL::Interpolating_surface_reconstruction_3::Linear_implicit_function_3<
     Kernel, CGAL::Interpolating_surface_reconstruction_3::Quadratic_weight>;
 
-  // About twice as many as the largest mesh of Table 5.1 had. Two samples close together make the
+  // About four times as many as the largest mesh of Table 5.1 had. Two samples close together make the
   // step so small that millions would be needed, and measuring their triangles takes minutes.
-  static constexpr std::size_t MAXIMUM_NUMBER_OF_CUBES = 200000;
+  static constexpr std::size_t MAXIMUM_NUMBER_OF_CUBES = 400000;
 };
 
 } // namespace isr_benchmark

@@ -44,9 +44,10 @@ struct Model
   std::vector<Vector> normals; // one a point, or none
 };
 
-// Polygons become fans. Vertices that no polygon uses are not samples of the surface.
-inline void set_surface(const std::vector<Point>& vertices, const std::vector<std::vector<std::size_t> >& polygons,
-                        Model& model)
+// Polygons become fans. Vertices that no polygon uses are not samples of the surface. There is a normal for each
+// vertex, or none.
+inline void set_surface(const std::vector<Point>& vertices, const std::vector<Vector>& normals,
+                        const std::vector<std::vector<std::size_t> >& polygons, Model& model)
 {
   std::vector<std::size_t> new_index(vertices.size(), vertices.size());
   for (const std::vector<std::size_t>& polygon : polygons)
@@ -56,6 +57,8 @@ inline void set_surface(const std::vector<Point>& vertices, const std::vector<st
     if (new_index[v] != vertices.size()) {
       new_index[v] = model.points.size();
       model.points.push_back(vertices[v]);
+      if (!normals.empty())
+        model.normals.push_back(normals[v]);
     }
   for (const std::vector<std::size_t>& polygon : polygons)
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -101,12 +104,16 @@ inline Model read_model(const std::filesystem::path& path)
   model.name = path.stem().string();
   std::vector<Point> vertices;
   std::vector<std::vector<std::size_t> > polygons;
-  const bool is_ply = has_extension(path, ".ply");
-  if ((is_ply && CGAL::IO::read_PLY(path.string(), vertices, polygons)) ||
-      (has_extension(path, ".off") && CGAL::IO::read_OFF(path.string(), vertices, polygons)))
-    set_surface(vertices, polygons, model);
-  if (model.triangles.empty())
+  const bool is_ply = has_extension(path, ".ply") && CGAL::IO::read_PLY(path.string(), vertices, polygons),
+             is_off = has_extension(path, ".off") && CGAL::IO::read_OFF(path.string(), vertices, polygons);
+  if (is_ply || polygons.empty())
     read_oriented_points(path.string(), model);
+  if ((is_ply || is_off) && !polygons.empty()) {
+    const std::vector<Vector> normals = std::move(model.normals);
+    model.points.clear();
+    model.normals.clear();
+    set_surface(vertices, normals, polygons, model);
+  }
   return model;
 }
 

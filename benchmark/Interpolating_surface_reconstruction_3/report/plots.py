@@ -58,6 +58,10 @@ def _quantity(results, name, key, quantity):
     return row.get(quantity)
 
 
+def _has_failed(results, name, key):
+    return results.row(name, key) is not None and results.ok(name, key) is None
+
+
 def _compared_models(results):
     """The thesis's models in its order; without any of them, all models."""
     names = [model["name"] for model in results.models
@@ -84,10 +88,14 @@ def _comparison(results, folder, number, chapter, quantity):
         places = [j + shift for j, value in enumerate(values[key]) if value is not None]
         heights = [max(value, floor) for value in values[key] if value is not None]
         axes.plot(places, heights, linestyle="none", label=results.title(key), markersize=6, **_style(key))
+        failed = [j + shift for j, name in enumerate(names) if _has_failed(results, name, key)]
+        for place in failed:
+            axes.text(place, 0.985, "failed", rotation=90, ha="center", va="top", fontsize=6, color=COLORS.get(key),
+                      transform=axes.get_xaxis_transform())
     axes.set_yscale("log")
     if any(value == 0 for column in values.values() for value in column):
         axes.axhline(floor, color="#bbbbbb", linewidth=0.8)
-        axes.text(len(names) - 0.45, floor, "zero", va="center", fontsize=7, color="#666666")
+        axes.text(1.005, floor, "zero", va="center", fontsize=7, color="#666666", transform=axes.get_yaxis_transform())
     same = {model["model"] for model in thesis.MODELS
             if thesis.is_same_mesh(model, results.references.get(model["model"]))}
     axes.set_xticks(range(len(names)))
@@ -118,14 +126,16 @@ def scaling_points(results, key, threads, value):
     return sorted((row["points"], value(row)) for row in rows)
 
 
-def _scaling(results, folder, name, label, value):
-    figure, axes = plt.subplots(figsize=(8.5, 4.6))
+def _scaling(results, folder, name, label, value, fitted=None, fitted_from=0):
+    """A line a method; the exponent is that of `fitted`, or of the values, from so many points on."""
+    figure, axes = plt.subplots(figsize=(10, 4.6))
     for key in results.keys():
         for threads in sorted({row["threads"] for row in results.scaling}):
             points = scaling_points(results, key, threads, value)
             if not points:
                 continue
-            exponent = fitted_exponent(points)
+            exponent = fitted_exponent([(x, y) for x, y in scaling_points(results, key, threads, fitted or value)
+                                        if x >= fitted_from])
             text = results.title(key) + (", %d threads" % threads if threads != 1 else "")
             if exponent is not None:
                 text += "  n^%.2f" % exponent
@@ -136,7 +146,7 @@ def _scaling(results, folder, name, label, value):
     axes.set_xlabel("points")
     axes.set_ylabel(label)
     axes.grid(which="major", color="#dddddd", linewidth=0.5)
-    _legend(axes, loc="upper left")
+    _legend(axes, loc="upper left", bbox_to_anchor=(1.01, 1.0))
     return _save(figure, folder, name)
 
 
@@ -174,6 +184,9 @@ def draw_all(results, folder):
     if results.scaling:
         plots.append(("Time against the number of points (generated knot)", _scaling(
             results, folder, "scaling-time", "seconds (best run)", best)))
-        plots.append(("Memory against the number of points (generated knot)", _scaling(
-            results, folder, "scaling-memory", "peak of the process (MB)", lambda row: row["peak_bytes"] / 1e6)))
+        # An empty process has some MB, which say nothing about the method.
+        plots.append(("Memory against the number of points (generated knot); exponents are those of the memory above "
+                      "the points, from 10,000 of them on", _scaling(
+                          results, folder, "scaling-memory", "peak of the process (MB)",
+                          lambda row: row["peak_bytes"] / 1e6, lambda row: row["growth_bytes"], 9000)))
     return plots

@@ -1,10 +1,15 @@
 // Draws the figures of the manual that come from the algorithms: isr_figures OUTPUT_FOLDER
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Svg_picture.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/Regularity_star_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Restricted_voronoi_star_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_weights.h>
 #include <CGAL/ctc_reconstruction.h>
+#include <CGAL/lis_reconstruction.h>
 
 #include <algorithm>
 #include <array>
@@ -12,12 +17,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -28,66 +34,6 @@ namespace isr = CGAL::Interpolating_surface_reconstruction_3;
 namespace params = CGAL::parameters;
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_2 = Kernel::Point_2;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
-using Points = std::vector<Point_3>;
-using Triangle = std::array<std::size_t, 3>;
-using Triangles = std::vector<Triangle>;
-
-constexpr double PANEL = 280.;
-
-// A picture of panels of the size PANEL, one beside the other; coordinates of a panel are from -1 to 1.
-class Picture
-{
-public:
-  explicit Picture(std::size_t panels) : m_panels(panels)
-  {
-    m_body.precision(1);
-    m_body.setf(std::ios::fixed);
-  }
-
-  void select_panel(std::size_t panel) { m_panel = panel; }
-
-  void polygon(const std::vector<Point_2>& points, const std::string& fill, const std::string& stroke = "#333",
-               double width = .6)
-  {
-    m_body << "<polygon points=\"";
-    for (const Point_2& p : points)
-      m_body << x(p) << ',' << y(p) << ' ';
-    m_body << "\" fill=\"" << fill << "\" stroke=\"" << stroke << "\" stroke-width=\"" << width << "\"/>\n";
-  }
-
-  void line(const Point_2& p, const Point_2& q, const std::string& stroke, double width)
-  {
-    m_body << "<line x1=\"" << x(p) << "\" y1=\"" << y(p) << "\" x2=\"" << x(q) << "\" y2=\"" << y(q) << "\" stroke=\""
-           << stroke << "\" stroke-width=\"" << width << "\"/>\n";
-  }
-
-  void dot(const Point_2& p, double radius, const std::string& fill)
-  {
-    m_body << "<circle cx=\"" << x(p) << "\" cy=\"" << y(p) << "\" r=\"" << radius << "\" fill=\"" << fill << "\"/>\n";
-  }
-
-  void save(const std::string& filename) const
-  {
-    std::ofstream out(filename);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << PANEL * double(m_panels) << "\" height=\"" << PANEL
-        << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-        << m_body.str() << "</svg>\n";
-    if (!out.flush())
-      throw std::runtime_error("cannot write " + filename);
-  }
-
-private:
-  double x(const Point_2& p) const { return PANEL * (double(m_panel) + .5 + .48 * p.x()); }
-  double y(const Point_2& p) const { return PANEL * (.5 - .48 * p.y()); }
-
-  std::size_t m_panels, m_panel = 0;
-  std::ostringstream m_body;
-};
 
 // A grid with random offsets, seen from above; `height(x, y)` is the third coordinate.
 template <typename Height>
@@ -185,9 +131,9 @@ void stars_and_votes(const std::string& folder)
 }
 
 // Blue inside, orange outside, the darker the farther.
-std::string color_of(double value)
+std::string color_of(double value, double step)
 {
-  const int level = (std::min)(5, static_cast<int>(std::abs(value) / .06));
+  const int level = (std::min)(5, static_cast<int>(std::abs(value) / step));
   const int dark = 245 - 22 * level, middle = 248 - 12 * level;
   std::ostringstream result;
   if (value < 0.)
@@ -197,36 +143,51 @@ std::string color_of(double value)
   return result.str();
 }
 
-// A bracket of two plates, extruded along y: the function in the plane y = 0, and the samples there.
-void implicit_slice(const std::string& folder)
+using Sample = std::pair<Point_3, Vector_3>;
+using Outline = std::vector<std::array<double, 2> >;
+
+auto sample_maps()
 {
-  using Sample = std::pair<Point_3, Vector_3>;
-  using Function = isr::Linear_implicit_function_3<Kernel>;
-  const std::vector<std::array<double, 2> > outline{ { { -.8, -.5 } }, { { .8, -.5 } }, { { .8, -.3 } },
-                                                     { { -.5, -.3 } }, { { -.5, .0 } }, { { .8, .0 } },
-                                                     { { .8, .5 } },   { { -.8, .5 } } };
-  constexpr double SPACING = .1;
+  return params::point_map(CGAL::First_of_pair_property_map<Sample>())
+    .normal_map(CGAL::Second_of_pair_property_map<Sample>());
+}
+
+// Samples of an outline in the plane y = 0 that is extruded along y, with outward normals.
+std::vector<Sample> extruded(const Outline& outline, double spacing, int rows)
+{
   std::vector<Sample> samples;
   for (std::size_t side = 0; side != outline.size(); ++side) {
     const auto& a = outline[side];
     const auto& b = outline[(side + 1) % outline.size()];
-    const double dx = b[0] - a[0], dz = b[1] - a[1], length = std::hypot(dx, dz);
-    const int steps = static_cast<int>(std::lround(length / SPACING));
+    const double dx = b[0] - a[0], dz = b[1] - a[1];
+    const int steps = static_cast<int>(std::lround(std::hypot(dx, dz) / spacing));
     for (int i = 0; i != steps; ++i)
-      for (int j = -6; j <= 6; ++j) {
+      for (int j = -rows; j <= rows; ++j) {
         const double t = (i + .5) / steps;
-        samples.emplace_back(Point_3(a[0] + t * dx, SPACING * j, a[1] + t * dz), Vector_3(dz, 0, -dx));
+        samples.emplace_back(Point_3(a[0] + t * dx, spacing * j, a[1] + t * dz), Vector_3(dz, 0, -dx));
       }
   }
-  const Function function(samples, params::point_map(CGAL::First_of_pair_property_map<Sample>())
-                                     .normal_map(CGAL::Second_of_pair_property_map<Sample>()));
-  constexpr int CELLS = 140;
+  return samples;
+}
+
+// Two arms, `gap` apart.
+Outline bracket(double gap)
+{
+  return { { { -.8, -.5 } },      { { .8, -.5 } },      { { .8, -.3 } }, { { -.5, -.3 } },
+           { { -.5, gap - .3 } }, { { .8, gap - .3 } }, { { .8, .5 } },  { { -.8, .5 } } };
+}
+
+// The function of the samples in the plane y = 0, and the samples there.
+template <typename Weight>
+void draw_slice(const std::vector<Sample>& samples, double color_step, Picture& picture)
+{
+  const isr::Linear_implicit_function_3<Kernel, Weight> function(samples, sample_maps());
+  constexpr int CELLS = 110;
   const auto coordinate = [](int i) { return 2. * i / CELLS - 1.; };
-  Picture picture(1);
   for (int j = 0; j != CELLS; ++j) // runs of one color
     for (int begin = 0, end = 0; begin != CELLS; begin = end) {
       const auto color = [&](int i) {
-        return color_of(function(Point_3(coordinate(i) + 1. / CELLS, 0, coordinate(j) + 1. / CELLS)));
+        return color_of(function(Point_3(coordinate(i) + 1. / CELLS, 0, coordinate(j) + 1. / CELLS)), color_step);
       };
       const std::string fill = color(begin);
       while (end != CELLS && color(end) == fill)
@@ -242,51 +203,192 @@ void implicit_slice(const std::string& folder)
       picture.line(p, Point_2(p.x() + .07 * n.x(), p.y() + .07 * n.z()), "#333", 1.);
       picture.dot(p, 2.2, "#333");
     }
+}
+
+void implicit_slice(const std::string& folder)
+{
+  Picture picture(1);
+  draw_slice<isr::Interpolating_weight>(extruded(bracket(.3), .1, 6), .06, picture);
   picture.save(folder + "/implicit.svg");
 }
 
-// Seen obliquely from above; the far triangles are drawn first.
-void draw_surface(const Points& points, Triangles triangles, Picture& picture)
+// Two arms that are half a spacing apart: the weight of the thesis, and the default.
+void weights(const std::string& folder)
 {
-  const Vector_3 to_viewer(0., -.62, .78), up(0., .78, .62);
-  const auto depth = [&](const Triangle& t) {
-    return (points[t[0]] - CGAL::ORIGIN) * to_viewer + (points[t[1]] - CGAL::ORIGIN) * to_viewer +
-           (points[t[2]] - CGAL::ORIGIN) * to_viewer;
-  };
-  const auto projected = [&](const Point_3& p) { return Point_2(p.x(), up * (p - CGAL::ORIGIN) + .15); };
-  std::sort(triangles.begin(), triangles.end(),
-            [&](const Triangle& a, const Triangle& b) { return depth(a) < depth(b); });
-  for (const Triangle& t : triangles) {
-    const Vector_3 n = CGAL::unit_normal(points[t[0]], points[t[1]], points[t[2]]);
-    const int light = static_cast<int>(120. + 125. * std::abs(n * Vector_3(.36, -.48, .8)));
-    std::ostringstream fill;
-    fill << "rgb(" << light - 20 << ',' << light - 10 << ',' << light << ')';
-    picture.polygon({ projected(points[t[0]]), projected(points[t[1]]), projected(points[t[2]]) }, fill.str(), "#345",
-                    .4);
-  }
+  const std::vector<Sample> samples = extruded(bracket(.05), .1, 6);
+  Picture picture(2);
+  draw_slice<isr::Quadratic_weight>(samples, .008, picture);
+  picture.select_panel(1);
+  draw_slice<isr::Interpolating_weight>(samples, .008, picture);
+  picture.save(folder + "/weights.svg");
 }
 
-// A bowl with a small hole in its bottom: closed by default, and with its rim kept.
+// n points of the unit sphere, on a spiral.
+Points spiral(std::size_t n)
+{
+  constexpr double GOLDEN_ANGLE = 2.399963229728653;
+  Points points;
+  for (std::size_t k = 0; k != n; ++k) {
+    const double i = double(k), z = 1. - (2. * i + 1.) / double(n), r = std::sqrt(1. - z * z);
+    points.emplace_back(r * std::cos(i * GOLDEN_ANGLE), r * std::sin(i * GOLDEN_ANGLE), z);
+  }
+  return points;
+}
+
+Points scaled(Points points, double factor)
+{
+  for (Point_3& p : points)
+    p = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
+  return points;
+}
+
+// With a small hole in the bottom.
+Points bowl(std::size_t n)
+{
+  Points points = spiral(n);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const Point_3& p) {
+                                return p.z() >= .1 || CGAL::squared_distance(p, Point_3(.1, .35, -.93)) <= .05;
+                              }),
+               points.end());
+  return points;
+}
+
+template <typename NamedParameters>
+Triangles ctc(const Points& points, const NamedParameters& np)
+{
+  Triangles triangles;
+  CGAL::ctc_reconstruction(points, std::back_inserter(triangles), np);
+  return triangles;
+}
+
+// Closed by default, and with the rim kept.
 void boundary_policy(const std::string& folder)
 {
-  constexpr double GOLDEN_ANGLE = 2.399963229728653, N = 700.;
+  const Points points = bowl(700);
+  Picture picture(2);
+  draw_surface(points, ctc(points, params::default_values()), picture);
+  picture.select_panel(1);
+  draw_surface(points, ctc(points, params::keep_boundaries(true)), picture);
+  picture.save(folder + "/boundaries.svg");
+}
+
+// A bowl: the loop of its rim has more than 8 edges.
+void hole_size(const std::string& folder)
+{
+  const Points points = bowl(400);
+  Picture picture(2);
+  draw_surface(points, ctc(points, params::default_values()), picture);
+  picture.select_panel(1);
+  draw_surface(points, ctc(points, params::maximum_hole_size(8)), picture);
+  picture.save(folder + "/hole_size.svg");
+}
+
+// The halves of a ball, three spacings apart: neighbors without limit, and up to twice the spacing.
+void neighbor_radius(const std::string& folder)
+{
+  Points points = scaled(spiral(500), .86);
+  points.erase(std::remove_if(points.begin(), points.end(), [](const Point_3& p) { return std::abs(p.x()) < .2; }),
+               points.end());
+  Picture picture(2);
+  draw_surface(points, ctc(points, params::default_values()), picture);
+  picture.select_panel(1);
+  draw_surface(points, ctc(points, params::neighbor_radius(.28)), picture);
+  picture.save(folder + "/neighbor_radius.svg");
+}
+
+// Collects the triangles that come after those on which the stars agree.
+struct Completed_triangles : isr::Default_visitor
+{
+  std::set<Triangle> triangles;
+
+  static Triangle sorted(Triangle t)
+  {
+    std::sort(t.begin(), t.end());
+    return t;
+  }
+  void on_triangle(const Triangle& t, isr::Triangle_verdict) { triangles.insert(sorted(t)); }
+};
+
+// Blue: triangles of agreed stars. Orange: triangles of the completion.
+template <typename Stars>
+void draw_agreement(const Points& points, const Stars& stars, Picture& picture)
+{
+  Completed_triangles completed;
+  const Triangles triangles = ctc(points, params::star_construction(stars).visitor(std::ref(completed)));
+  draw_surface(points, triangles, picture, [&](const Triangle& t, bool) {
+    return completed.triangles.count(Completed_triangles::sorted(t)) == 0 ? BLUE : ORANGE;
+  });
+}
+
+// A ball with waves and irregular samples.
+void star_constructions(const std::string& folder)
+{
+  std::mt19937 random(7);
+  const auto offset = [&] { return .12 * (double(random()) / double(std::mt19937::max()) - .5); };
   Points points;
-  for (double i = 0.; i < N; ++i) {
-    const double z = 1. - (2. * i + 1.) / N, r = std::sqrt(1. - z * z);
-    const Point_3 p(r * std::cos(i * GOLDEN_ANGLE), r * std::sin(i * GOLDEN_ANGLE), z);
-    if (z < .1 && CGAL::squared_distance(p, Point_3(.1, .35, -.93)) > .05)
-      points.push_back(p);
+  for (const Point_3& p : spiral(450)) {
+    const Vector_3 v(p.x() + offset(), p.y() + offset(), p.z() + offset());
+    const double radius = .72 + .2 * std::sin(7. * p.x()) * std::cos(7. * p.y());
+    points.push_back(CGAL::ORIGIN + radius / std::sqrt(v.squared_length()) * v);
   }
   Picture picture(2);
-  const auto draw = [&](std::size_t panel, const auto& np) {
+  draw_agreement(points, isr::Restricted_voronoi_star_3(), picture);
+  picture.select_panel(1);
+  draw_agreement(points, isr::Regularity_star_3(), picture);
+  picture.save(folder + "/star_construction.svg");
+}
+
+// LIS of samples with normals, in a panel.
+template <typename NamedParameters>
+void draw_lis(const std::vector<Sample>& samples, const NamedParameters& np, Picture& picture)
+{
+  Points vertices;
+  Triangles triangles;
+  CGAL::lis_reconstruction(samples, vertices, triangles, np);
+  draw_surface(vertices, triangles, picture);
+}
+
+// A ball of few samples, and the vertices that LIS adds.
+void grid_spacing(const std::string& folder)
+{
+  std::vector<Sample> samples;
+  for (const Point_3& p : scaled(spiral(120), .86))
+    samples.emplace_back(p, p - CGAL::ORIGIN);
+  Picture picture(2);
+  draw_lis(samples, sample_maps(), picture);
+  picture.select_panel(1);
+  draw_lis(samples, sample_maps().grid_spacing(.2), picture);
+  picture.save(folder + "/grid_spacing.svg");
+}
+
+// CTC: a bowl that is oriented by its normals. LIS: arms one spacing apart, without normals and with them.
+void normals(const std::string& folder)
+{
+  const Points points = bowl(500);
+  Picture picture(4);
+  std::size_t panel = 0;
+  for (const double sign : { 1., -1. }) {
+    std::vector<Vector_3> normals_of_points;
+    for (const Point_3& p : points)
+      normals_of_points.push_back(sign * (p - CGAL::ORIGIN));
+    picture.select_panel(panel++);
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i != points.size(); ++i)
+      samples.emplace_back(points[i], normals_of_points[i]);
     Triangles triangles;
-    CGAL::ctc_reconstruction(points, std::back_inserter(triangles), np);
-    picture.select_panel(panel);
+    CGAL::ctc_reconstruction(samples, std::back_inserter(triangles),
+                             params::combine(sample_maps(), params::keep_boundaries(true)));
     draw_surface(points, triangles, picture);
-  };
-  draw(0, params::default_values());
-  draw(1, params::keep_boundaries(true));
-  picture.save(folder + "/boundaries.svg");
+  }
+  std::vector<Sample> samples = extruded(bracket(.1), .1, 4);
+  for (Sample& s : samples) // the gap faces the viewer
+    s = Sample(Point_3(s.first.x(), s.first.z(), s.first.y()), Vector_3(s.second.x(), s.second.z(), s.second.y()));
+  picture.select_panel(2);
+  draw_lis(samples, params::point_map(CGAL::First_of_pair_property_map<Sample>()), picture);
+  picture.select_panel(3);
+  draw_lis(samples, sample_maps(), picture);
+  picture.save(folder + "/normals.svg");
 }
 
 } // namespace
@@ -301,6 +403,12 @@ int main(int argc, char* argv[])
     stars_and_votes(argv[1]);
     implicit_slice(argv[1]);
     boundary_policy(argv[1]);
+    hole_size(argv[1]);
+    neighbor_radius(argv[1]);
+    star_constructions(argv[1]);
+    grid_spacing(argv[1]);
+    normals(argv[1]);
+    weights(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << std::endl;
     return EXIT_FAILURE;

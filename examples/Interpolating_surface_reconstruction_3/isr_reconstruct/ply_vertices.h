@@ -4,7 +4,9 @@
 #include "exit_status.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <istream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <streambuf>
@@ -13,24 +15,54 @@
 
 namespace isr {
 
+// The number of characters from here to the end of a stream, or the largest number if it cannot tell.
+inline std::size_t remaining_size(std::istream& in)
+{
+  const std::streampos here = in.tellg();
+  if (here != std::streampos(-1) && in.seekg(0, std::ios::end)) {
+    const std::streamoff size = in.tellg() - here;
+    in.seekg(here);
+    return static_cast<std::size_t>(size);
+  }
+  in.clear();
+  return (std::numeric_limits<std::size_t>::max)();
+}
+
+// The items of a PLY file that come one after the other.
+struct Ply_element
+{
+  // Whether `size` characters can hold the items: CGAL allocates memory for as many as are announced,
+  // and loops over items without properties even at the end of the file.
+  bool is_possible(std::size_t size) const
+  {
+    return number_of_items == 0 || (number_of_properties != 0 && number_of_items <= size / number_of_properties);
+  }
+  std::size_t number_of_items = 0, number_of_properties = 0;
+};
+
 // Reads the header of a PLY file and returns the part of it up to the vertices, as CGAL's reader is to
 // see it: what stands behind the vertices is not read at all, and a list, whose announced length CGAL
 // would allocate whatever it is, is refused. Throws for a header that CGAL would misread, which reads
-// coordinates as one floating-point type and does not check that they have it.
+// coordinates as one floating-point type and does not check that they have it, and for one that announces
+// more than the file holds.
 inline std::string read_ply_vertex_header(std::istream& in)
 {
   std::map<std::string, std::string> vertex_types;
   std::string header, line;
-  bool in_vertex = false, has_element = false, has_vertex = false, has_end = false;
+  bool in_vertex = false, has_vertex = false, has_end = false;
+  std::vector<Ply_element> elements;
   while (!has_end && std::getline(in, line)) {
     std::istringstream words(line);
     std::string keyword, first, second;
     words >> keyword >> first >> second;
     has_end = keyword == "end_header";
     if (keyword == "element") {
-      has_element = true;
       in_vertex = !has_vertex && (first == "vertex" || first == "vertices");
-    } else if (keyword == "property" && !has_element) {
+      if (!has_vertex) {
+        elements.emplace_back();
+        std::istringstream(second) >> elements.back().number_of_items;
+      }
+    } else if (keyword == "property" && elements.empty()) {
       throw Failure(BROKEN_INPUT, "the PLY header has a property before the first element");
     }
     const bool is_behind_vertices = has_vertex && !in_vertex;
@@ -39,12 +71,18 @@ inline std::string read_ply_vertex_header(std::istream& in)
       continue;
     if (keyword == "property" && first == "list")
       throw Failure(BROKEN_INPUT, "the PLY header has a list in or before the vertices");
+    if (keyword == "property")
+      ++elements.back().number_of_properties;
     if (keyword == "property" && in_vertex)
       vertex_types[second] = first;
     header += line + '\n';
   }
   if (!has_end)
     throw Failure(BROKEN_INPUT, "the PLY header has no end");
+  const std::size_t size = remaining_size(in);
+  for (const Ply_element& element : elements)
+    if (!element.is_possible(size))
+      throw Failure(BROKEN_INPUT, "the PLY header announces more than the file holds");
 
   const auto are = [&](const std::vector<std::string>& names, const std::string& type, const std::string& synonym) {
     return std::all_of(names.begin(), names.end(), [&](const std::string& name) {

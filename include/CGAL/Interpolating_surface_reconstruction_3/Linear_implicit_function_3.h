@@ -132,7 +132,7 @@ public:
     const auto construction = parameters::choose_parameter<typename Types::Star_construction>(
       parameters::get_parameter(np, internal_np::star_construction));
     const Traits traits = parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
-    auto cloud = internal::read_samples<Types>(points, np, traits);
+    auto cloud = internal::read_samples<Types>(points, np, traits, [] { return true; });
     std::vector<internal::Local_vector> normals = internal::read_sample_normals<Types>(points, np, cloud);
     if (normals.empty())
       normals =
@@ -176,6 +176,20 @@ public:
   Bbox_3 bbox() const { return m_data->bbox; }
 
   /// \cond SKIP_IN_MANUAL
+  double largest_radius() const
+  {
+    const std::vector<double>& radii = m_data->pieces.radii();
+    return radii.empty() ? 0. : m_data->cloud.global_length(*std::max_element(radii.begin(), radii.end()));
+  }
+
+  // Calls visit(p, radius) for each point that is used, with the mean radius of its star.
+  template <typename Visit>
+  void for_each_sample(Visit visit) const
+  {
+    for (internal::Point_index p = 0; p != m_data->cloud.size(); ++p)
+      visit(m_data->cloud.point(p), m_data->cloud.global_length(m_data->pieces.radii()[p]));
+  }
+
   double sum_of_squared_radii() const
   {
     double sum = 0.;

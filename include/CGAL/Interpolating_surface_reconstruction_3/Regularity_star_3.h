@@ -303,7 +303,7 @@ private:
   using Vector_3 = Star_neighborhood::Vector_3;
 
   // All points of the 27 leaves in a block of equal cells.
-  static constexpr std::size_t MAXIMUM_NEIGHBORS = 27 * 24;
+  static constexpr std::size_t MAXIMUM_NEIGHBORS = std::size_t(27) * 24;
 
   // The link is counterclockwise about the sum of the triangles' normals.
   static void orient(const Star_neighborhood& neighborhood, Point_star& star)

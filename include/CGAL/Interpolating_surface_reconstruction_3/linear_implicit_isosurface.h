@@ -15,21 +15,18 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/isosurface_call.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/marching_tetrahedra.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Container_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/range/value_type.hpp>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
@@ -44,6 +41,7 @@ With the default step, the smallest radius of a star, and with `Quadratic_weight
 this is the method of the thesis (5.3.5), but for two things. The cubes of the grid are cut into tetrahedra, which
 makes the surface an oriented manifold without boundary. And only cubes that the surface passes through are
 visited, from those with a point on. The vertices are no points of the range.
+`adaptive_linear_implicit_isosurface()` needs fewer cells where the spacing of the points varies.
 
 The time and memory are proportional to the number of cubes visited, about the area of the surface over the
 square of the step: non-uniform samples with a small default step need very many.
@@ -64,56 +62,42 @@ ranges are appended to
 
 `std::invalid_argument` is thrown, and nothing is written, if `step` is negative or not finite, or if more cubes
 than allowed would be needed; the message states their number.
+
+\return the number of cubes visited
+
+\sa `adaptive_linear_implicit_isosurface()`
 */
 template <typename Traits, typename Weight, typename OutputPointRange, typename OutputTriangleRange>
-void linear_implicit_isosurface(const Linear_implicit_function_3<Traits, Weight>& function,
-                                OutputPointRange& output_points, OutputTriangleRange& output_triangles,
-                                double step = 0., std::size_t maximum_number_of_cells = 20000000)
+std::size_t linear_implicit_isosurface(const Linear_implicit_function_3<Traits, Weight>& function,
+                                       OutputPointRange& output_points, OutputTriangleRange& output_triangles,
+                                       double step = 0., std::size_t maximum_number_of_cells = 20000000)
 {
   using Coordinates = std::array<double, 3>;
-  using Output_point = typename boost::range_value<OutputPointRange>::type;
-  using Output_triangle = typename boost::range_value<OutputTriangleRange>::type;
-  using Point_3 = typename Traits::Point_3;
-  using FT = typename Traits::FT;
 
   if (!std::isfinite(step) || step < 0.)
     throw std::invalid_argument("step: must be finite and not negative");
   if (step == 0.)
     step = CGAL::to_double(function.smallest_radius());
   if (step == 0.) // fewer than two points
-    return;
+    return 0;
+  const std::size_t maximum = (std::min)(maximum_number_of_cells, internal::LARGEST_NUMBER_OF_CELLS);
   // every point stands for about the square of its radius
   const double cells = 2. * function.sum_of_squared_radii() / (step * step);
   const Bbox_3 box = function.bbox();
-  if (!(cells <= double(maximum_number_of_cells)) || !(box.xmax() - box.xmin() < step * 1e9) ||
+  if (!(cells <= double(maximum)) || !(box.xmax() - box.xmin() < step * 1e9) ||
       !(box.ymax() - box.ymin() < step * 1e9) || !(box.zmax() - box.zmin() < step * 1e9))
     throw std::invalid_argument("step: about " + std::to_string(cells) + " cells would be needed, more than " +
-                                std::to_string(maximum_number_of_cells));
+                                std::to_string(maximum));
 
   const Traits& traits = function.geom_traits();
-  const auto point = [&](const Coordinates& x) -> Point_3 {
-    return traits.construct_point_3_object()(FT(x[0]), FT(x[1]), FT(x[2]));
-  };
-  const auto value = [&](const Coordinates& x) { return CGAL::to_double(function(point(x))); };
+  const auto value = [&](const Coordinates& x) { return CGAL::to_double(function(internal::point_at(x, traits))); };
   internal::Marching_tetrahedra<decltype(value)> march(value, { { box.xmin(), box.ymin(), box.zmin() } }, step,
-                                                       maximum_number_of_cells);
-  function.for_each_point([&](const Point_3& p) {
-    auto c = traits.construct_cartesian_const_iterator_3_object()(p);
-    const double x = CGAL::to_double(*c++), y = CGAL::to_double(*c++), z = CGAL::to_double(*c);
-    march.add_seed({ { x, y, z } });
-  });
+                                                       maximum);
+  function.for_each_point(
+    [&](const typename Traits::Point_3& p) { march.add_seed(internal::coordinates_of(p, traits)); });
   march();
-
-  const std::size_t first = output_points.size();
-  for (const Coordinates& x : march.vertices())
-    output_points.push_back(Output_point(point(x)));
-  for (const std::array<std::size_t, 3>& triangle : march.triangles()) {
-    Output_triangle t;
-    CGAL::internal::resize(t, 3);
-    for (std::size_t i = 0; i != 3; ++i)
-      t[i] = static_cast<std::decay_t<decltype(t[i])> >(first + triangle[i]);
-    output_triangles.push_back(std::move(t));
-  }
+  internal::append_contour(march, traits, output_points, output_triangles);
+  return march.number_of_visited_cubes();
 }
 
 } // namespace Interpolating_surface_reconstruction_3

@@ -11,7 +11,7 @@ seconds=$2
 shift 2
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
-  targets=(manifold_builder hole_closing ctc readers)
+  targets=(manifold_builder hole_closing reconstruction readers)
 fi
 mkdir -p "$build"
 build=$(cd "$build" && pwd)

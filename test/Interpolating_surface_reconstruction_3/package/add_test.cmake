@@ -16,4 +16,7 @@ if(UNIX)
   add_test(NAME isr_headers
     COMMAND ${CMAKE_CURRENT_LIST_DIR}/check_headers.sh ${CMAKE_CXX_COMPILER}
       -idirafter ${CGAL_ISR_CGAL_INCLUDE_DIR} -idirafter ${CGAL_ISR_EIGEN_INCLUDE_DIR})
+  add_test(NAME isr_tidy
+    COMMAND ${CMAKE_CURRENT_LIST_DIR}/check_tidy.sh
+      -idirafter ${CGAL_ISR_CGAL_INCLUDE_DIR} -idirafter ${CGAL_ISR_EIGEN_INCLUDE_DIR})
 endif()

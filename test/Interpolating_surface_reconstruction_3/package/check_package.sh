@@ -42,7 +42,7 @@ check_headers() {
 
 # Words of one version of CGAL only, or of old C++.
 check_words() {
-  local words='boost::(optional|variant|shared_ptr|function)\b|CGAL_static_assertion|CGAL::Octree\b|has_normal_map|using namespace std'
+  local words='boost::(optional|variant|shared_ptr|function)\b|CGAL_static_assertion|CGAL::Octree\b|has_normal_map|\.property_map<|using namespace std'
   if grep -nE "$words" $headers examples/$package/*.cpp; then
     complain "words of one version of CGAL only, above"
   fi
@@ -100,6 +100,10 @@ check_package_info() {
 }
 
 check_projects() {
+  local folder
+  for folder in test examples; do
+    [ -f "$folder/$package/CMakeLists.txt" ] || complain "$folder/$package/CMakeLists.txt: missing"
+  done
   grep -q "^project(${package}_Tests\b" "test/$package/CMakeLists.txt" || complain "test: not a project ${package}_Tests"
   grep -q "^project(${package}_Examples\b" "examples/$package/CMakeLists.txt" ||
     complain "examples: not a project ${package}_Examples"

@@ -197,8 +197,10 @@ private:
                                      Cancellation_point& cancellation_point) const
   {
     std::vector<Cell_index> next(m_points.size() + 1, 0), order(vertices.size()), ranks(vertices.size());
-    for (const Vertices& v : vertices)
+    for (const Vertices& v : vertices) {
+      cancellation_point();
       ++next[position(v[0]) + 1];
+    }
     for (std::size_t k = 0; k != m_points.size(); ++k)
       next[k + 1] += next[k];
     for (std::size_t c = 0; c != vertices.size(); ++c)

@@ -137,7 +137,8 @@ private:
   {
     m_progress.begin_stage(Stage::FUNCTION, FUNCTION_SHARE);
     const Cell_signs signs(cells, m_cloud.positions(), m_normals);
-    Oriented_labelling labelling(cells, m_cloud.positions(), m_normals, signs.template compute<ConcurrencyTag>());
+    Oriented_labelling labelling(cells, m_cloud.positions(), m_normals,
+                                 signs.template compute<ConcurrencyTag>([this] { return m_progress.advance(0.); }));
     m_progress.end_stage(cells.size());
     return labelling;
   }
@@ -147,7 +148,7 @@ private:
     m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
     relax_labels(cells, labelling, m_cancellation_point);
     make_manifold(cells, labelling);
-    surface.triangles = facets_between_labels(cells, labelling);
+    surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
     refine(surface);
@@ -166,11 +167,14 @@ private:
   }
 
   // Counterclockwise, seen from the outside.
-  static Triangles facets_between_labels(const Cell_complex& cells, const Oriented_labelling& labelling)
+  template <typename CancellationPoint>
+  static Triangles facets_between_labels(const Cell_complex& cells, const Oriented_labelling& labelling,
+                                         CancellationPoint& cancellation_point)
   {
     Triangles triangles;
     for (std::size_t c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         const auto cell = static_cast<Cell_complex::Cell_index>(c);
         if (!labelling.label(cell) || !labelling.is_surface(cell, i))
           continue;

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
@@ -39,7 +40,7 @@ class Nearest_neighbors
 public:
   // No point farther than `maximum_radius` is a neighbor.
   Nearest_neighbors(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
-    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius)
+    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius), m_search(points, octree)
   { }
 
   // Indices of the neighbors that were passed last.
@@ -60,7 +61,11 @@ public:
     for (bool is_exhaustive = false; !m_pending.empty(); radius *= 2) {
       const double gathered = (std::min)(radius, m_maximum_radius);
       const Local_box box = leaf.box.enlarged(gathered);
-      gather(leaf, box, gathered);
+      if (!gather(leaf, box, gathered)) {
+        for (const Request& request : m_pending)
+          serve_alone(request, maximum_size, visit);
+        return;
+      }
       is_exhaustive = box.contains(m_octree.node(0).box) || gathered == m_maximum_radius || !(radius > 0.);
       std::size_t kept = 0;
       for (Request request : m_pending)
@@ -105,20 +110,25 @@ private:
                       side[2] / (parent.end - parent.begin));
   }
 
+  // The candidates of a leaf are too many where the box around it holds a much denser part of the points.
+  static constexpr std::size_t MAXIMUM_CANDIDATES = 4096;
+
   // Coordinates relative to the leaf in single precision: they only rank. The candidates stay for the
-  // next point of the leaf.
-  void gather(const Point_octree_3::Node& leaf, const Local_box& box, double radius)
+  // next point of the leaf. False if there are too many.
+  bool gather(const Point_octree_3::Node& leaf, const Local_box& box, double radius)
   {
     if (radius == m_gathered_radius && leaf.box.low == m_gathered_leaf.low && leaf.box.high == m_gathered_leaf.high)
-      return;
-    m_gathered_radius = radius;
-    m_gathered_leaf = leaf.box;
+      return true;
+    m_gathered_radius = NOT_GATHERED;
     m_candidates.clear();
     m_octree.for_each_leaf_overlapping(box, m_stack, [&](const Point_octree_3::Node& n) {
       for (Point_index i = n.begin; i != n.end; ++i)
         m_candidates.push_back(i);
+      return m_candidates.size() <= MAXIMUM_CANDIDATES;
     });
     const std::size_t n = m_candidates.size();
+    if (n > MAXIMUM_CANDIDATES)
+      return false;
     m_x.resize(n);
     m_y.resize(n);
     m_z.resize(n);
@@ -128,6 +138,29 @@ private:
       m_x[i] = float(p.x() - leaf.box.low[0]);
       m_y[i] = float(p.y() - leaf.box.low[1]);
       m_z[i] = float(p.z() - leaf.box.low[2]);
+    }
+    m_gathered_radius = radius;
+    m_gathered_leaf = leaf.box;
+    return true;
+  }
+
+  // Like serve(), without candidates.
+  template <typename Visit>
+  void serve_alone(Request request, std::size_t maximum_size, Visit& visit)
+  {
+    const double squared_reach = m_maximum_radius * m_maximum_radius;
+    while (true) {
+      const std::vector<Nearest_search::Neighbor>& nearest = m_search(request.point, request.size, squared_reach);
+      const std::size_t found = nearest.size();
+      m_nearest.resize((std::max)(m_nearest.size(), found));
+      for (std::size_t i = 0; i != found; ++i)
+        m_nearest[i] = nearest[i].second;
+      const double squared_radius =
+        copy_offsets(m_points[request.point], found, found < request.size ? squared_reach : 0.);
+      if (visit(request.point, Star_neighborhood(m_offsets.data(), found, squared_radius)) ||
+          request.size >= maximum_size || found < request.size)
+        return;
+      request.size = (std::min)(2 * request.size, maximum_size);
     }
   }
 
@@ -253,8 +286,10 @@ private:
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   double m_maximum_radius;
+  Nearest_search m_search;
   double m_squared_guess = 0.;
-  double m_gathered_radius = -1.; // around the box of the leaf, for the present candidates
+  static constexpr double NOT_GATHERED = -1.;
+  double m_gathered_radius = NOT_GATHERED; // around the box of the leaf, for the present candidates
   Local_box m_gathered_leaf{};
   std::vector<Request> m_pending;
   std::vector<std::uint32_t> m_stack;

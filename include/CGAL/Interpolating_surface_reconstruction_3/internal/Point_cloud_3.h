@@ -46,18 +46,26 @@ public:
 
   template <typename PointRange, typename PointMap>
   Point_cloud_3(const PointRange& range, PointMap point_map, const Traits& traits)
-    : Point_cloud_3(range, point_map, traits, [](const auto&) { return true; })
+    : Point_cloud_3(
+        range, point_map, traits, [](const auto&) { return true; }, [] { return true; })
   { }
 
   // Elements for which `is_usable(element)` is false are set aside like points that are not finite.
-  template <typename PointRange, typename PointMap, typename IsUsable>
-  Point_cloud_3(const PointRange& range, PointMap point_map, const Traits& traits, const IsUsable& is_usable)
+  // If go_further() is false, the cloud is of no use.
+  template <typename PointRange, typename PointMap, typename IsUsable, typename GoFurther>
+  Point_cloud_3(const PointRange& range, PointMap point_map, const Traits& traits, const IsUsable& is_usable,
+                const GoFurther& go_further)
     : m_traits(traits)
   {
     copy_finite_points(range, point_map, is_usable);
     set_local_coordinates();
+    if (!go_further())
+      return;
     sort();
+    if (!go_further())
+      return;
     merge_duplicates();
+    go_further();
   }
 
   Point_index size() const { return static_cast<Point_index>(m_points.size()); }

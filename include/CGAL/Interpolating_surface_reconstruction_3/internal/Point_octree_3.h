@@ -104,7 +104,7 @@ public:
              1);
   }
 
-  // Calls visit(leaf) for every leaf whose tight box overlaps `box`.
+  // Calls visit(leaf) for every leaf whose tight box overlaps `box`, until it returns false.
   template <typename Visit>
   void for_each_leaf_overlapping(const Local_box& box, Visit visit) const
   {
@@ -124,8 +124,8 @@ public:
       stack.pop_back();
       if (!n.box.overlaps(box))
         continue;
-      if (n.number_of_children == 0)
-        visit(n);
+      if (n.number_of_children == 0 && !visit(n))
+        return;
       for (std::uint32_t c = 0; c != n.number_of_children; ++c)
         stack.push_back(n.first_child + c);
     }

@@ -53,10 +53,12 @@ public:
     if ((cosine < 0. && cosine * cosine > error) || cross_product(m, n).squared_length() > error)
       return false;
     const Traits& traits = m_cloud.traits();
+    const auto coplanar_orientation = traits.coplanar_orientation_3_object();
+    // Predicates that are not exact may find a triangle collinear that is not.
     return traits.orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) ==
              COPLANAR &&
-           traits.coplanar_orientation_3_object()(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r),
-                                                  m_cloud.point(s)) == POSITIVE;
+           coplanar_orientation(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r)) != COLLINEAR &&
+           coplanar_orientation(m_cloud.point(p), m_cloud.point(q), m_cloud.point(r), m_cloud.point(s)) == POSITIVE;
   }
 
 private:

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -39,9 +40,10 @@ public:
   { }
 
   // Loops by increasing length; a loop begins at its smallest point.
-  std::vector<Boundary_loop> operator()()
+  template <typename CancellationPoint = No_cancellation>
+  std::vector<Boundary_loop> operator()(CancellationPoint&& cancellation_point = CancellationPoint())
   {
-    collect_passages();
+    collect_passages(cancellation_point);
     std::vector<Boundary_loop> loops;
     for (std::size_t i = 0; i != m_passages.size(); ++i)
       if (!m_passages[i].is_visited)
@@ -66,9 +68,13 @@ private:
     double angle;
   };
 
-  void collect_passages()
+  template <typename CancellationPoint>
+  void collect_passages(CancellationPoint& cancellation_point)
   {
     for (Point_index p : m_builder.open_points()) {
+      // around a point of many triangles every fan is searched for among them all
+      const std::size_t degree = m_builder.corners(p).size();
+      cancellation_point(1 + degree * degree / 256);
       std::vector<Fan> fans = fans_at(p);
       if (fans.size() > 1)
         sort_around(p, fans);

@@ -15,19 +15,24 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Removes the triangles of a closed surface that span openings of the sampled surface: those whose
-// longest edge is long beside the edges around its vertices, and their neighbors of the same kind.
+// Removes the triangles of a closed surface that span openings of the sampled surface. A region of triangles
+// that share edges longer than the spacing of their samples is an opening if the normals of its samples are
+// explained at least as well by the triangles around it alone: the normal of a sample at an opening is that of
+// the surface beside it, while a long triangle of a sparsely sampled part has a share in the normals of its
+// samples.
 class Boundary_opening
 {
 public:
@@ -36,15 +41,19 @@ public:
   // Closed, oriented.
   Boundary_opening(const std::vector<Local_point>& positions, const std::vector<Local_vector>& normals,
                    const std::vector<Triangle>& triangles)
-    : m_positions(positions), m_normals(normals), m_triangles(triangles), m_is_removed(triangles.size(), 0)
+    : m_positions(positions), m_normals(normals), m_triangles(triangles), m_is_seen(triangles.size(), 0),
+      m_is_removed(triangles.size(), 0)
   { }
 
   // The triangles that remain: a manifold with boundary.
   std::vector<Triangle> operator()()
   {
     find_neighbors();
-    compute_radii();
-    grow_openings();
+    find_spacings();
+    sum_up_normals();
+    for (std::size_t t = 0; t != m_triangles.size(); ++t)
+      if (!m_is_seen[t] && has_edge_longer_than(t, SEED_RATIO))
+        open_region(region_of(t));
     remove_second_fans();
     std::vector<Triangle> result;
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
@@ -54,9 +63,15 @@ public:
   }
 
 private:
-  // An opening has a triangle that is far larger than the spacing. The others of it are larger than those
-  // of a grid, whose edges are up to the square root of 2 times the median.
-  static constexpr double SEED_SCORE = 4., GROWTH_SCORE = 1.5;
+  // An opening has an edge that is far longer than the spacing. Its other edges are longer than those of a
+  // grid, whose diagonals are the square root of 2 times the spacing.
+  static constexpr double SEED_RATIO = 4., LONG_RATIO = 1.5;
+
+  // The deviation of a normal from that of no triangle: a sample is not to lose all of its triangles.
+  static constexpr double LARGEST_DEVIATION = 2.;
+
+  // Of the cosine of an angle.
+  static constexpr double ROUNDING = 1e-9;
 
   double length(Point_index p, Point_index q) const
   {
@@ -87,8 +102,9 @@ private:
     }
   }
 
-  // The median length of the edges at each vertex.
-  void compute_radii()
+  // The length of the third shortest edge at each vertex: at an opening, two edges of its outline and at least
+  // one other belong to the surface.
+  void find_spacings()
   {
     std::vector<std::size_t> begin(m_positions.size() + 1, 0);
     for (const Triangle& t : m_triangles)
@@ -101,48 +117,103 @@ private:
     for (const Triangle& t : m_triangles)
       for (std::size_t i = 0; i != 3; ++i)
         lengths[next[t[i]]++] = length(t[i], t[(i + 1) % 3]);
-    m_radii.assign(m_positions.size(), 0.);
+    m_spacings.assign(m_positions.size(), 0.);
     for (std::size_t p = 0; p != m_positions.size(); ++p)
       if (begin[p] != begin[p + 1]) {
         const auto first = lengths.begin() + std::ptrdiff_t(begin[p]),
-                   last = lengths.begin() + std::ptrdiff_t(begin[p + 1]);
-        const auto median = first + (last - first) / 2;
-        std::nth_element(first, median, last);
-        m_radii[p] = *median;
+                   last = lengths.begin() + std::ptrdiff_t(begin[p + 1]),
+                   third = first + (std::min)(last - first - 1, std::ptrdiff_t(2));
+        std::nth_element(first, third, last);
+        m_spacings[p] = *third;
       }
   }
 
-  double score(std::size_t t) const
+  bool is_longer_than(std::size_t t, std::size_t i, double ratio) const
+  {
+    const Point_index p = m_triangles[t][i], q = m_triangles[t][(i + 1) % 3];
+    return length(p, q) > ratio * (std::max)(m_spacings[p], m_spacings[q]);
+  }
+
+  bool has_edge_longer_than(std::size_t t, double ratio) const
+  {
+    return is_longer_than(t, 0, ratio) || is_longer_than(t, 1, ratio) || is_longer_than(t, 2, ratio);
+  }
+
+  Local_vector normal(std::size_t t) const
   {
     const Triangle& v = m_triangles[t];
-    const double longest = (std::max)({ length(v[0], v[1]), length(v[1], v[2]), length(v[2], v[0]) });
-    return longest / (std::max)({ m_radii[v[0]], m_radii[v[1]], m_radii[v[2]] });
+    return cross_product(m_positions[v[1]] - m_positions[v[0]], m_positions[v[2]] - m_positions[v[0]]);
+  }
+
+  // The unit normal times the angle at vertex i.
+  Local_vector normal_at(std::size_t t, std::size_t i) const
+  {
+    const Triangle& v = m_triangles[t];
+    const Local_vector n = normal(t);
+    const double length = std::sqrt(n.squared_length());
+    if (!(length > 0.))
+      return Local_vector(0, 0, 0);
+    const Local_vector a = m_positions[v[(i + 1) % 3]] - m_positions[v[i]],
+                       b = m_positions[v[(i + 2) % 3]] - m_positions[v[i]];
+    return std::acos(cosine(a, b)) / length * n;
+  }
+
+  void sum_up_normals()
+  {
+    m_sums.assign(m_positions.size(), Local_vector(0, 0, 0));
+    for (std::size_t t = 0; t != m_triangles.size(); ++t)
+      for (std::size_t i = 0; i != 3; ++i)
+        m_sums[m_triangles[t][i]] = m_sums[m_triangles[t][i]] + normal_at(t, i);
   }
 
   bool faces_against_normals(std::size_t t) const
   {
     const Triangle& v = m_triangles[t];
-    const Local_vector n = cross_product(m_positions[v[1]] - m_positions[v[0]], m_positions[v[2]] - m_positions[v[0]]);
-    return n * (m_normals[v[0]] + m_normals[v[1]] + m_normals[v[2]]) < 0.;
+    return normal(t) * (m_normals[v[0]] + m_normals[v[1]] + m_normals[v[2]]) < 0.;
   }
 
-  void grow_openings()
+  // The triangles connected to t across long edges, and those beside them that face against the normals.
+  std::vector<std::size_t> region_of(std::size_t t)
   {
-    std::vector<std::size_t> stack;
-    const auto remove = [&](std::size_t t) {
-      m_is_removed[t] = 1;
-      stack.push_back(t);
-    };
-    for (std::size_t t = 0; t != m_triangles.size(); ++t)
-      if (score(t) > SEED_SCORE)
-        remove(t);
-    while (!stack.empty()) {
-      const std::size_t t = stack.back();
-      stack.pop_back();
-      for (std::size_t n : m_neighbors[t])
-        if (!m_is_removed[n] && (score(n) > GROWTH_SCORE || faces_against_normals(n)))
-          remove(n);
+    std::vector<std::size_t> region(1, t);
+    m_is_seen[t] = 1;
+    for (std::size_t k = 0; k != region.size(); ++k)
+      for (std::size_t i = 0; i != 3; ++i) {
+        const std::size_t n = m_neighbors[region[k]][i];
+        if (!m_is_seen[n] && (is_longer_than(region[k], i, LONG_RATIO) || faces_against_normals(n))) {
+          m_is_seen[n] = 1;
+          region.push_back(n);
+        }
+      }
+    return region;
+  }
+
+  void open_region(const std::vector<std::size_t>& region)
+  {
+    std::vector<std::pair<Point_index, Local_vector> > parts;
+    for (std::size_t t : region)
+      for (std::size_t i = 0; i != 3; ++i)
+        parts.emplace_back(m_triangles[t][i], normal_at(t, i));
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    double with_region = 0., without_region = 0.;
+    for (auto it = parts.begin(); it != parts.end();) {
+      const Point_index p = it->first;
+      Local_vector rest = m_sums[p];
+      for (; it != parts.end() && it->first == p; ++it)
+        rest = rest - it->second;
+      with_region += deviation(p, m_sums[p]);
+      without_region += deviation(p, rest);
     }
+    // in a plane both are zero but for rounding
+    if (without_region <= with_region + ROUNDING * double(parts.size()))
+      for (std::size_t t : region)
+        m_is_removed[t] = 1;
+  }
+
+  // One minus the cosine of the angle between the normal of a sample and one made of triangles.
+  double deviation(Point_index p, const Local_vector& n) const
+  {
+    return n.squared_length() > ROUNDING * ROUNDING ? 1. - cosine(m_normals[p], n) : LARGEST_DEVIATION;
   }
 
   // Of the fans that remain at a vertex, the largest stays. That may open other fans, until none is left.
@@ -202,8 +273,9 @@ private:
   const std::vector<Local_vector>& m_normals;
   const std::vector<Triangle>& m_triangles;
   std::vector<std::array<std::size_t, 3> > m_neighbors;
-  std::vector<double> m_radii;
-  std::vector<unsigned char> m_is_removed;
+  std::vector<double> m_spacings;
+  std::vector<Local_vector> m_sums; // of the normals of the triangles at each vertex
+  std::vector<unsigned char> m_is_seen, m_is_removed;
 };
 
 } // namespace internal

@@ -42,16 +42,22 @@ public:
     : m_cells(cells), m_positions(positions), m_normals(normals)
   { }
 
-  // Infinite cells get 1.
-  template <typename ConcurrencyTag>
-  std::vector<float> compute() const
+  // Infinite cells get 1. Ends early, with values missing, if go_further() is false; it is called concurrently.
+  template <typename ConcurrencyTag, typename GoFurther>
+  std::vector<float> compute(const GoFurther& go_further) const
   {
     std::vector<float> values(m_cells.size());
     for_each_block<ConcurrencyTag>(m_cells.size(), CELLS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c != end; ++c)
+      for (std::size_t c = begin; c != end && (c != begin || go_further()); ++c)
         values[c] = Cell_complex::is_infinite(m_cells[c]) ? 1.f : float(value(m_cells[c]));
     });
     return values;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<float> compute() const
+  {
+    return compute<ConcurrencyTag>([] { return true; });
   }
 
   // Of a finite cell; 0 if it is flat.

@@ -61,8 +61,10 @@ template <typename ConcurrencyTag, typename Cloud, typename StarConstruction, ty
 std::vector<Local_vector> chart_normals(const Cloud& cloud, const StarConstruction& construction,
                                         double neighbor_radius, const KeepGoing& keep_going)
 {
-  return vertex_normals(cloud.positions(),
-                        chart_triangles<ConcurrencyTag>(cloud, {}, construction, neighbor_radius, keep_going));
+  const std::vector<std::array<Point_index, 3> > triangles =
+    chart_triangles<ConcurrencyTag>(cloud, {}, construction, neighbor_radius, keep_going);
+  keep_going(1.);
+  return vertex_normals(cloud.positions(), triangles);
 }
 
 } // namespace internal

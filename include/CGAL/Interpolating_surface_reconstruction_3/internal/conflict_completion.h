@@ -88,6 +88,9 @@ private:
   // Weight of a facet that is known to be on the surface, or negative, known not to be.
   static constexpr double CERTAIN = 20.;
 
+  // Of a point; twice as much where the points are of very unlike density.
+  static constexpr std::size_t MICROSECONDS_PER_SURROUNDINGS = 32;
+
   // The normals of the third surface hardly differ from those of the second one.
   static constexpr std::size_t ORIENTED_ROUNDS = 2;
 
@@ -108,14 +111,12 @@ private:
       m_is_site[p] = 0;
     m_sites.clear();
     for (Point_index p : cluster)
-      add_to_cluster(p);
+      add_to_cluster(p, cancellation_point);
     Cell_complex cells = triangulate_with_surface(cancellation_point);
-    // Once: stars that contradict the second surface would go on to spread.
-    if (cells.size() != 0 && !attach_or_withdraw(cells, true, cancellation_point, on_verdict)) {
+    static const int WR = getenv("WR") ? atoi(getenv("WR")) : 1;
+    for (int round = 0; cells.size() != 0 && !attach_or_withdraw(cells, round < WR, cancellation_point, on_verdict); ++round) {
       cells = Cell_complex();
       cells = triangulate(cancellation_point);
-      if (cells.size() != 0)
-        attach_or_withdraw(cells, false, cancellation_point, on_verdict);
     }
     for (Point_index p : m_cluster)
       m_is_conflict[p] = is_complete(p) ? 0 : 1;
@@ -129,7 +130,7 @@ private:
   {
     gather_knowledge(cells, cancellation_point);
     const Cell_labelling labelling = label(cells, may_withdraw, cancellation_point);
-    if (may_withdraw && withdraw_contradicted_stars(cells, labelling))
+    if (may_withdraw && withdraw_contradicted_stars(cells, labelling, cancellation_point))
       return false;
     attach(cells, labelling, cancellation_point, on_verdict);
     return true;
@@ -276,8 +277,10 @@ private:
   }
 
   // Adds a conflict and what it must see.
-  void add_to_cluster(Point_index p)
+  template <typename CancellationPoint>
+  void add_to_cluster(Point_index p, CancellationPoint& cancellation_point)
   {
+    cancellation_point(MICROSECONDS_PER_SURROUNDINGS);
     m_cluster.push_back(p);
     m_clusters.surroundings(p, m_around);
     for (Point_index q : m_around)
@@ -335,15 +338,17 @@ private:
     std::sort(withdrawn.begin(), withdrawn.end());
     withdrawn.erase(std::unique(withdrawn.begin(), withdrawn.end()), withdrawn.end());
     for (const Facet& t : withdrawn)
-      withdraw(t);
+      withdraw(t, cancellation_point);
   }
 
   // An agreed star that the surface of the labelling meets beside its triangles is wrong or leaves no room
   // for a right one: it is withdrawn and its points join the conflict. Returns whether there was one.
-  bool withdraw_contradicted_stars(const Cell_complex& cells, const Cell_labelling& labelling)
+  template <typename CancellationPoint>
+  bool withdraw_contradicted_stars(const Cell_complex& cells, const Cell_labelling& labelling,
+                                   CancellationPoint& cancellation_point)
   {
     std::vector<Point_index> contradicted;
-    for_each_missing_triangle(cells, labelling, [&](const Triangle& t) {
+    for_each_missing_triangle(cells, labelling, cancellation_point, [&](const Triangle& t) {
       for (Point_index p : t)
         if (!is_conflict(p) && is_complete(p))
           contradicted.push_back(p);
@@ -355,18 +360,19 @@ private:
       m_builder.for_each_triangle_at(p, [&](const Triangle& t) { star.push_back(t); });
       m_builder.open(p);
       for (const Triangle& t : star)
-        withdraw(t);
+        withdraw(t, cancellation_point);
     }
     return !contradicted.empty();
   }
 
-  void withdraw(const Triangle& t)
+  template <typename CancellationPoint>
+  void withdraw(const Triangle& t, CancellationPoint& cancellation_point)
   {
     m_builder.remove(stored_triangle(t));
     for (Point_index p : t)
       if (!is_conflict(p)) {
         m_is_conflict[p] = 1;
-        add_to_cluster(p);
+        add_to_cluster(p, cancellation_point);
       }
   }
 
@@ -385,11 +391,13 @@ private:
   }
 
   // Calls visit(triangle) for the facets between the labels at conflicts that the surface lacks.
-  template <typename Visit>
-  void for_each_missing_triangle(const Cell_complex& cells, const Cell_labelling& labelling, const Visit& visit) const
+  template <typename CancellationPoint, typename Visit>
+  void for_each_missing_triangle(const Cell_complex& cells, const Cell_labelling& labelling,
+                                 CancellationPoint& cancellation_point, const Visit& visit) const
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && labelling.is_surface(c, i) &&
             m_knowledge[c][i] != Knowledge::ON_SURFACE && (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
@@ -402,8 +410,7 @@ private:
               OnVerdict on_verdict)
   {
     std::vector<Triangle> surface;
-    for_each_missing_triangle(cells, labelling, [&](Triangle t) {
-      cancellation_point();
+    for_each_missing_triangle(cells, labelling, cancellation_point, [&](Triangle t) {
       std::sort(t.begin(), t.end());
       surface.push_back(t);
     });

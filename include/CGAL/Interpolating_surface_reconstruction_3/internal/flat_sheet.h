@@ -39,13 +39,14 @@ public:
     : m_points(points), m_builder(builder), m_visits_left(VISITS_PER_POINT * points.size())
   { }
 
-  bool is_outline(const Boundary_loop& loop)
+  template <typename CancellationPoint>
+  bool is_outline(const Boundary_loop& loop, CancellationPoint& cancellation_point)
   {
     if (loop.size() < 3 || !find_plane(loop) || !is_surface_inside(loop))
       return false;
     if (m_is_visited.empty())
       m_is_visited.assign(m_points.size(), 0);
-    const bool is_flat = is_component_flat(loop);
+    const bool is_flat = is_component_flat(loop, cancellation_point);
     for (Point_index p : m_component)
       m_is_visited[p] = 0;
     return is_flat;
@@ -79,13 +80,15 @@ private:
     return 2 * inside > loop.size();
   }
 
-  bool is_component_flat(const Boundary_loop& loop)
+  template <typename CancellationPoint>
+  bool is_component_flat(const Boundary_loop& loop, CancellationPoint& cancellation_point)
   {
     m_component.clear();
     for (Point_index p : loop)
       visit(p);
     double area = 0., projected_area = 0.;
     for (std::size_t i = 0; i != m_component.size(); ++i) {
+      cancellation_point();
       const Point_index p = m_component[i];
       double edge_length = 0.; // each edge of a closed fan twice
       std::size_t edges = 0;

@@ -19,10 +19,13 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,20 +48,11 @@ public:
   template <typename IsBoundary, typename Progress, typename OnVerdict>
   void operator()(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
   {
-    for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
-      const std::vector<Boundary_loop> failed = fill_loops(is_boundary, progress, on_verdict);
-      if (progress.is_cancelled())
-        return;
-      const bool is_single = keep_largest_fans();
-      if (failed.empty() && is_single)
-        return;
-      if (round + 1 == MAXIMUM_ROUNDS)
-        break;
-      for (const Boundary_loop& loop : failed)
-        remove_ring(loop);
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      fill_and_widen(is_boundary, cancellation_point, on_verdict);
+    } catch (const Cancelled&) {
     }
-    restore_rings();
-    keep_largest_fans();
   }
 
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
@@ -68,14 +62,17 @@ public:
   template <typename Progress, typename OnVerdict>
   void close_planar_loops(Progress& progress, OnVerdict on_verdict)
   {
-    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
-      if (!progress.advance(0.))
-        return;
-      if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
-          !std::all_of(loop.begin(), loop.end(),
-                       [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
-          std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
-        m_fill.fill_if_planar(loop, on_verdict);
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point)) {
+        cancellation_point(loop.size());
+        if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
+            !std::all_of(loop.begin(), loop.end(),
+                         [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
+            std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
+          m_fill.fill_if_planar(loop, on_verdict);
+      }
+    } catch (const Cancelled&) {
     }
   }
 
@@ -98,20 +95,37 @@ private:
   // sheet; it stays open as it was.
   static constexpr std::size_t MAXIMUM_ROUNDS = 12;
 
-  template <typename IsBoundary, typename Progress, typename OnVerdict>
-  std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
+  template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
+  void fill_and_widen(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  {
+    for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
+      const std::vector<Boundary_loop> failed = fill_loops(is_boundary, cancellation_point, on_verdict);
+      const bool is_single = keep_largest_fans(cancellation_point);
+      if (failed.empty() && is_single)
+        return;
+      if (round + 1 == MAXIMUM_ROUNDS)
+        break;
+      for (const Boundary_loop& loop : failed)
+        remove_ring(loop, cancellation_point);
+    }
+    restore_rings(cancellation_point);
+    keep_largest_fans(cancellation_point);
+  }
+
+  template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
+  std::vector<Boundary_loop> fill_loops(const IsBoundary& is_boundary, CancellationPoint& cancellation_point,
+                                        OnVerdict on_verdict)
   {
     std::vector<Boundary_loop> failed;
     Flat_sheet<Builder> flat_sheet(m_points, m_builder);
-    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)()) {
-      if (!progress.advance(0.))
-        break;
+    for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point)) {
+      cancellation_point(loop.size());
       if (loop.size() > m_maximum_size || is_boundary(loop) ||
-          (is_agreed_boundary(loop) && flat_sheet.is_outline(loop)) || m_fill(loop, on_verdict) ||
-          is_agreed_boundary(loop))
+          (is_agreed_boundary(loop) && flat_sheet.is_outline(loop, cancellation_point)) ||
+          m_fill(loop, on_verdict, cancellation_point) || is_agreed_boundary(loop))
         continue;
       // A short loop may be an outline, too, if it cannot be filled.
-      if (!(do_stars_end_along(loop) && flat_sheet.is_outline(loop)))
+      if (!(do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point)))
         failed.push_back(loop);
     }
     return failed;
@@ -132,13 +146,15 @@ private:
   }
 
   // Where several fans meet at a point, only the largest stays. Returns whether there were none.
-  bool keep_largest_fans()
+  template <typename CancellationPoint>
+  bool keep_largest_fans(CancellationPoint& cancellation_point)
   {
     bool is_single = true;
     std::vector<Point_index> todo(m_builder.open_points());
     while (!todo.empty()) {
       const Point_index p = todo.back();
       todo.pop_back();
+      cancellation_point(m_builder.corners(p).size());
       const std::vector<Point_index> touched = remove_smaller_fans(p);
       is_single = is_single && touched.empty();
       todo.insert(todo.end(), touched.begin(), touched.end());
@@ -152,23 +168,17 @@ private:
     std::vector<Point_index> touched;
     if (m_builder.number_of_boundary_edges(p) <= 2)
       return touched;
-    std::size_t largest = 0;
-    Point_index largest_begin = NO_POINT;
-    for (const auto& corner : m_builder.corners(p)) {
-      const auto fan = m_builder.fan_from(p, fan_begin(p, corner.a));
-      if (fan.size > largest) {
-        largest = fan.size;
-        largest_begin = fan_begin(p, corner.a);
-      }
-    }
-    if (largest == m_builder.corners(p).size())
+    const std::vector<std::size_t> fans = fans_of_corners(p);
+    std::vector<std::size_t> sizes(fans.size(), 0);
+    for (std::size_t fan : fans)
+      ++sizes[fan];
+    const std::size_t largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    if (sizes[largest] == fans.size())
       return touched;
     std::vector<typename Builder::Triangle_index> removed;
-    for (const auto& corner : m_builder.corners(p)) {
-      const Point_index begin = fan_begin(p, corner.a);
-      if (begin != largest_begin)
-        removed.push_back(corner.triangle);
-    }
+    for (std::size_t i = 0; i != fans.size(); ++i)
+      if (fans[i] != largest)
+        removed.push_back(m_builder.corners(p)[i].triangle);
     for (auto t : removed) {
       const typename Builder::Triangle vertices = m_builder.triangle(t);
       touched.insert(touched.end(), vertices.begin(), vertices.end());
@@ -178,18 +188,38 @@ private:
     return touched;
   }
 
-  // The end of the fan through the neighbor q that is the smaller index, or the smallest neighbor of
-  // a closed fan.
-  Point_index fan_begin(Point_index p, Point_index q) const
+  // The fan of each corner at p, named by its first corner.
+  std::vector<std::size_t> fans_of_corners(Point_index p) const
   {
-    const Point_index one = m_builder.fan_from(p, q).end;
-    const Point_index other = m_builder.fan_from(p, one).end;
-    return (std::min)(one, other);
+    const auto& corners = m_builder.corners(p);
+    std::vector<std::pair<Point_index, std::size_t> > ends;
+    for (std::size_t i = 0; i != corners.size(); ++i) {
+      ends.emplace_back(corners[i].a, i);
+      ends.emplace_back(corners[i].b, i);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<std::size_t> fans(corners.size());
+    std::iota(fans.begin(), fans.end(), std::size_t(0));
+    const auto first = [&](std::size_t i) {
+      while (fans[i] != i)
+        i = fans[i] = fans[fans[i]];
+      return i;
+    };
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      if (ends[i].first == ends[i - 1].first) {
+        const std::size_t a = first(ends[i - 1].second), b = first(ends[i].second);
+        fans[(std::max)(a, b)] = (std::min)(a, b);
+      }
+    for (std::size_t i = 0; i != fans.size(); ++i)
+      fans[i] = first(i);
+    return fans;
   }
 
-  void remove_ring(const Boundary_loop& loop)
+  template <typename CancellationPoint>
+  void remove_ring(const Boundary_loop& loop, CancellationPoint& cancellation_point)
   {
     for (std::size_t i = 0; i != loop.size(); ++i) {
+      cancellation_point();
       const Point_index p = loop[i], q = loop[(i + 1) % loop.size()], r = m_builder.opposite_vertex(p, q);
       if (r == NO_POINT)
         continue;
@@ -199,10 +229,13 @@ private:
   }
 
   // Attaches the triangles again that were removed in vain.
-  void restore_rings()
+  template <typename CancellationPoint>
+  void restore_rings(CancellationPoint& cancellation_point)
   {
-    for (; !m_removed.empty(); m_removed.pop_back())
+    for (; !m_removed.empty(); m_removed.pop_back()) {
+      cancellation_point();
       m_builder.try_add(m_removed.back()[0], m_removed.back()[1], m_removed.back()[2]);
+    }
   }
 
   const std::vector<Local_point>& m_points;

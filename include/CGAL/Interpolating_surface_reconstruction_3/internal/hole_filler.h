@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
@@ -44,17 +45,19 @@ public:
   Hole_filler(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
 
   // Fills the loop; leaves the surface as it was and returns false if there is no way to.
-  template <typename OnVerdict>
-  bool operator()(const Boundary_loop& loop, OnVerdict on_verdict)
+  template <typename OnVerdict, typename CancellationPoint = No_cancellation>
+  bool operator()(const Boundary_loop& loop, OnVerdict on_verdict,
+                  CancellationPoint&& cancellation_point = CancellationPoint())
   {
-    return prepare(loop) && attach(on_verdict);
+    return prepare(loop, cancellation_point) && attach(on_verdict);
   }
 
   // The same, but refuses a filling that does not fulfil the minimum planarity criterion (Eq. 4.1).
   template <typename OnVerdict>
   bool fill_if_planar(const Boundary_loop& loop, OnVerdict on_verdict)
   {
-    return prepare(loop) && is_planar() && attach(on_verdict);
+    No_cancellation cancellation_point; // they are short
+    return prepare(loop, cancellation_point) && is_planar() && attach(on_verdict);
   }
 
 private:
@@ -76,7 +79,8 @@ private:
   Entry& entry(std::size_t i, std::size_t j) { return m_table[i * m_loop.size() + j]; }
 
   // Chooses the triangles that fill the loop.
-  bool prepare(const Boundary_loop& loop)
+  template <typename CancellationPoint>
+  bool prepare(const Boundary_loop& loop, CancellationPoint& cancellation_point)
   {
     if (loop.size() < 3)
       return false;
@@ -85,20 +89,23 @@ private:
     for (std::size_t i = 0; i != loop.size(); ++i)
       m_outer.push_back(m_builder.opposite_vertex(loop[i], loop[(i + 1) % loop.size()]));
     m_fill.clear();
-    cut_short_ears();
-    return triangulate();
+    cut_short_ears(cancellation_point);
+    return triangulate(cancellation_point);
   }
 
   // Optimal triangulations of the sub-polygons i, i + 1, ..., j of the loop.
-  bool triangulate()
+  template <typename CancellationPoint>
+  bool triangulate(CancellationPoint& cancellation_point)
   {
     const std::size_t n = m_loop.size();
     if (n < 3)
       return n == 0;
     m_table.assign(n * n, Entry{ 0., 0 });
     for (std::size_t length = 2; length != n; ++length)
-      for (std::size_t i = 0; i + length < n; ++i)
+      for (std::size_t i = 0; i + length < n; ++i) {
+        cancellation_point(length);
         optimize(i, i + length);
+      }
     if (entry(0, n - 1).cost == IMPOSSIBLE)
       return false;
     collect(0, n - 1);
@@ -192,7 +199,8 @@ private:
     }
   };
 
-  void cut_short_ears()
+  template <typename CancellationPoint>
+  void cut_short_ears(CancellationPoint& cancellation_point)
   {
     const std::size_t n = m_loop.size();
     if (n <= MAXIMUM_OPTIMAL_SIZE)
@@ -210,6 +218,7 @@ private:
     for (std::size_t i = 0; i != n; ++i)
       push(i);
     for (std::size_t size = n; size > MAXIMUM_OPTIMAL_SIZE && !queue.empty();) {
+      cancellation_point();
       const Ear ear = queue.top();
       queue.pop();
       if (after[ear.at] != ear.after || before[ear.at] != ear.before || !is_ear(ear))

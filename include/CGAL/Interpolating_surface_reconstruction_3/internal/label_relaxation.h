@@ -51,8 +51,10 @@ std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, La
     if (gain > labelling.smallest_gain(c))
       queue.push(Label_change{ gain, c });
   };
-  for (Cell_index c = 0; c != cells.size(); ++c)
+  for (Cell_index c = 0; c != cells.size(); ++c) {
+    cancellation_point();
     push(c);
+  }
   while (!queue.empty()) {
     cancellation_point();
     const Label_change change = queue.top();

@@ -112,9 +112,11 @@ bool reconstruct_lis(const PointRange& points, const Write& write, const NamedPa
   const Lis_options options = read_lis_options(np);
   Call call(np);
   return call(points, [&] {
-    const Point_cloud_3<Traits> cloud = read_samples<Types>(points, np, call.traits);
+    const Point_cloud_3<Traits> cloud =
+      read_samples<Types>(points, np, call.traits, [&] { return call.progress.advance(0.); });
+    if (!call.may_go_on_with(cloud))
+      return false;
     std::vector<Local_vector> normals = read_sample_normals<Types>(points, np, cloud);
-    call.report_points_set_aside(cloud);
     Lis_surface surface;
     const bool is_complete =
       Reconstructor(cloud, std::move(normals), call.construction, options, call.progress)(surface);

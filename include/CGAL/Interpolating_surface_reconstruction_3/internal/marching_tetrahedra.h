@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Tetrahedra_contour.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +40,7 @@ class Marching_tetrahedra
 {
 public:
   using Coordinates = std::array<double, 3>;
-  using Triangle = std::array<std::size_t, 3>;
+  using Triangle = Tetrahedra_contour::Triangle;
 
   // `function(x)` is negative inside.
   Marching_tetrahedra(const Function& function, const Coordinates& origin, double step, std::size_t maximum_cells)
@@ -59,23 +61,26 @@ public:
   {
     for (std::size_t k = 0; k != m_cubes.size(); ++k) {
       const Index cube = m_cubes[k];
-      std::array<double, 8> values;
+      std::array<Corner, 8> corners;
       std::size_t inside = 0;
-      for (unsigned int corner = 0; corner != 8; ++corner) {
-        values[corner] = value(moved(cube, corner));
-        inside += values[corner] < 0. ? 1u : 0u;
+      for (unsigned int i = 0; i != 8; ++i) {
+        corners[i] = corner(moved(cube, i));
+        inside += m_values[corners[i]] < 0. ? 1u : 0u;
       }
       if (inside == 0 || inside == 8)
         continue;
-      cut_cube(cube, values);
+      cut_cube(corners);
       visit_neighbors(cube);
     }
+    place_vertices();
   }
 
   const std::vector<Coordinates>& vertices() const { return m_vertices; }
-  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  const std::vector<Triangle>& triangles() const { return m_contour.triangles(); }
+  std::size_t number_of_visited_cubes() const { return m_cubes.size(); }
 
 private:
+  using Corner = Tetrahedra_contour::Corner;
   using Index = std::array<std::int32_t, 3>;
 
   struct Hash
@@ -101,11 +106,13 @@ private:
     return Coordinates{ { m_origin[0] + i[0] * m_step, m_origin[1] + i[1] * m_step, m_origin[2] + i[2] * m_step } };
   }
 
-  double value(const Index& i)
+  Corner corner(const Index& i)
   {
-    const auto it = m_values.emplace(i, 0.);
-    if (it.second)
-      it.first->second = m_function(coordinates(i));
+    const auto it = m_corner_at.emplace(i, static_cast<Corner>(m_points.size()));
+    if (it.second) {
+      m_points.push_back(coordinates(i));
+      m_values.push_back(m_function(m_points.back()));
+    }
     return it.first->second;
   }
 
@@ -129,57 +136,24 @@ private:
   }
 
   // One tetrahedron for each order of the axes: from corner 0 along the axes to corner 7.
-  void cut_cube(const Index& cube, const std::array<double, 8>& values)
+  void cut_cube(const std::array<Corner, 8>& corners)
   {
     static constexpr unsigned int orders[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 1, 0 }, { 2, 1 }, { 0, 2 } };
     for (std::size_t k = 0; k != 6; ++k) {
       const unsigned int first = 1u << orders[k][0], second = first | 1u << orders[k][1];
       // the first three are even permutations, and positively oriented
-      cut_tetrahedron(cube, values, { { 0u, first, second, 7u } }, k < 3);
+      m_contour.add({ { corners[0], corners[first], corners[second], corners[7] } }, m_values, k < 3);
     }
   }
 
-  void cut_tetrahedron(const Index& cube, const std::array<double, 8>& values, std::array<unsigned int, 4> v,
-                       bool is_positive)
+  // The function is taken for linear along an edge.
+  void place_vertices()
   {
-    // those inside first; every swap changes the orientation
-    std::size_t inside = 0;
-    for (std::size_t i = 0; i != 4; ++i)
-      if (values[v[i]] < 0.) {
-        if (i != inside) {
-          std::swap(v[i], v[inside]);
-          is_positive = !is_positive;
-        }
-        ++inside;
-      }
-    const auto at = [&](std::size_t i, std::size_t j) { return vertex(cube, values, v[i], v[j]); };
-    if (inside == 1)
-      add(at(0, 1), at(0, 2), at(0, 3), is_positive);
-    else if (inside == 3)
-      add(at(0, 3), at(1, 3), at(2, 3), is_positive);
-    else if (inside == 2) {
-      const std::size_t a = at(0, 2), b = at(0, 3), c = at(1, 3), d = at(1, 2);
-      add(a, b, c, is_positive);
-      add(a, c, d, is_positive);
-    }
-  }
-
-  void add(std::size_t a, std::size_t b, std::size_t c, bool is_positive)
-  {
-    m_triangles.push_back(is_positive ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } });
-  }
-
-  // On the edge from corner p to corner q, one of which has all the bits of the other.
-  std::size_t vertex(const Index& cube, const std::array<double, 8>& values, unsigned int p, unsigned int q)
-  {
-    const unsigned int low = (std::min)(p, q), high = (std::max)(p, q);
-    const auto it = m_vertex_on[high ^ low].emplace(moved(cube, low), m_vertices.size());
-    if (it.second) {
-      const double t = values[low] / (values[low] - values[high]);
-      const Coordinates x = coordinates(moved(cube, low)), y = coordinates(moved(cube, high));
+    for (const Tetrahedra_contour::Edge& edge : m_contour.vertices()) {
+      const Coordinates &x = m_points[edge.first], &y = m_points[edge.second];
+      const double t = m_values[edge.first] / (m_values[edge.first] - m_values[edge.second]);
       m_vertices.push_back({ { x[0] + t * (y[0] - x[0]), x[1] + t * (y[1] - x[1]), x[2] + t * (y[2] - x[2]) } });
     }
-    return it.first->second;
   }
 
   const Function& m_function;
@@ -188,10 +162,11 @@ private:
   const std::size_t m_maximum_cells;
   std::vector<Index> m_cubes; // in the order of their visit
   std::unordered_set<Index, Hash> m_is_visited;
-  std::unordered_map<Index, double, Hash> m_values;                        // at the corners
-  std::array<std::unordered_map<Index, std::size_t, Hash>, 8> m_vertex_on; // of the edges, by direction
+  std::unordered_map<Index, Corner, Hash> m_corner_at;
+  std::vector<Coordinates> m_points; // of the corners
+  std::vector<double> m_values;
+  Tetrahedra_contour m_contour;
   std::vector<Coordinates> m_vertices;
-  std::vector<Triangle> m_triangles;
 };
 
 } // namespace internal

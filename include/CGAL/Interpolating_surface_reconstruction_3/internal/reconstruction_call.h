@@ -157,10 +157,16 @@ public:
     return is_complete;
   }
 
+  // Returns false if reading the points has been cancelled.
   template <typename Cloud>
-  void report_points_set_aside(const Cloud& cloud)
+  bool may_go_on_with(const Cloud& cloud)
   {
+    if (progress.is_cancelled()) {
+      progress.finish();
+      return false;
+    }
     visitor.on_points_set_aside(cloud.number_of_duplicates(), cloud.number_of_non_finite_points());
+    return true;
   }
 
   const typename Types::Traits traits;
@@ -199,8 +205,10 @@ bool reconstruct(const PointRange& points, const Output& output, const NamedPara
     choose_parameter<typename Types::Point_map>(get_parameter(np, internal_np::point_map));
   Call call(np);
   return call(points, [&] {
-    const Point_cloud_3<typename Types::Traits> cloud(points, point_map, call.traits);
-    call.report_points_set_aside(cloud);
+    const Point_cloud_3<typename Types::Traits> cloud(
+      points, point_map, call.traits, [](const auto&) { return true; }, [&] { return call.progress.advance(0.); });
+    if (!call.may_go_on_with(cloud))
+      return false;
     std::vector<Local_vector> normals;
     if constexpr (Types::has_normals)
       normals = read_normals(points, get_parameter(np, internal_np::normal_map), cloud);

@@ -143,6 +143,10 @@ public:
   {
     m_progress.begin_stage(Stage::ORIENTATION, share);
     Surface_orientation<Builder> orientation(m_cloud.positions(), builder);
+    if (!m_progress.advance(0.)) {
+      m_progress.end_stage(0);
+      return false;
+    }
     if (m_normals.empty())
       orientation.face_outward([&] { return m_progress.advance(0.); });
     else

@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// The points without those that have no usable normal.
-template <typename Types, typename PointRange, typename NamedParameters>
+// The points without those that have no usable normal; of no use if go_further() is false.
+template <typename Types, typename PointRange, typename NamedParameters, typename GoFurther>
 Point_cloud_3<typename Types::Traits> read_samples(const PointRange& points, const NamedParameters& np,
-                                                   const typename Types::Traits& traits)
+                                                   const typename Types::Traits& traits, const GoFurther& go_further)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -36,11 +36,13 @@ Point_cloud_3<typename Types::Traits> read_samples(const PointRange& points, con
   if constexpr (Types::has_normals) {
     const auto normal_map = get_parameter(np, internal_np::normal_map);
     if (is_usable(normal_map))
-      return Point_cloud_3<typename Types::Traits>(points, point_map, traits, [&](const auto& element) {
-        return unit_normal(get(normal_map, element), traits) != Local_vector(0, 0, 0);
-      });
+      return Point_cloud_3<typename Types::Traits>(
+        points, point_map, traits,
+        [&](const auto& element) { return unit_normal(get(normal_map, element), traits) != Local_vector(0, 0, 0); },
+        go_further);
   }
-  return Point_cloud_3<typename Types::Traits>(points, point_map, traits);
+  return Point_cloud_3<typename Types::Traits>(
+    points, point_map, traits, [](const auto&) { return true; }, go_further);
 }
 
 // Their normals at unit length in the order of the cloud, or none if they are not given.

@@ -47,12 +47,17 @@ struct Neighborhoods<Box_neighborhood_tag>
   using type = Box_neighborhoods;
 };
 
-// Stars of the points of the leaves [begin, end), in the order of the points.
-template <typename StarConstruction>
+// Stars of the points of the leaves [begin, end), in the order of the points; incomplete if
+// go_further() returns false.
+template <typename StarConstruction, typename GoFurther>
 Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const Point_octree_3& octree,
                                   const StarConstruction& construction, double maximum_radius,
-                                  std::size_t maximum_neighbors, std::size_t begin, std::size_t end)
+                                  std::size_t maximum_neighbors, std::size_t begin, std::size_t end,
+                                  const GoFurther& go_further)
 {
+  // between two polls; some milliseconds
+  constexpr std::size_t NEIGHBORS_PER_POLL = 1 << 15;
+  std::size_t neighbors = 0;
   typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type neighborhoods(points, octree,
                                                                                                maximum_radius);
   // A leaf's points may become certain in any order.
@@ -64,6 +69,7 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
     links.resize((std::max)(links.size(), std::size_t(leaf.end - leaf.begin)));
     neighborhoods.for_each_point(leaf, construction.initial_number_of_neighbors(), maximum_neighbors,
                                  [&](Point_index p, const Star_neighborhood& neighborhood) {
+                                   neighbors += neighborhood.size();
                                    const bool is_certain = construction(neighborhood, star);
                                    std::vector<Point_index>& link = links[p - leaf.begin];
                                    link.clear();
@@ -75,6 +81,11 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
       const std::vector<Point_index>& link = links[p - leaf.begin];
       block.lengths.push_back(static_cast<std::uint32_t>(link.size()));
       block.neighbors.insert(block.neighbors.end(), link.begin(), link.end());
+    }
+    if (neighbors > NEIGHBORS_PER_POLL) {
+      neighbors = 0;
+      if (!go_further())
+        return block;
     }
   }
   return block;
@@ -95,7 +106,8 @@ Star_table construct_stars(const std::vector<Local_point>& points, const Point_o
   for_each_block<ConcurrencyTag>(leaves, LEAVES_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
     if (progress.advance(double(done += end - begin) / double(leaves)))
       blocks[begin / LEAVES_PER_BLOCK] =
-        stars_of_leaves(points, octree, construction, maximum_radius, maximum_neighbors, begin, end);
+        stars_of_leaves(points, octree, construction, maximum_radius, maximum_neighbors, begin, end,
+                        [&] { return progress.advance(0.); });
   });
   return Star_table(std::move(blocks));
 }
