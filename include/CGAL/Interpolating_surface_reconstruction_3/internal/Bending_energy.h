@@ -45,8 +45,7 @@ public:
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                  const IsAgreed& is_agreed, const IsInScope& is_in_scope)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
-      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0),
-      m_agreed(cells.size(), 0)
+      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0), m_agreed(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i)
@@ -169,10 +168,7 @@ private:
     return .5 * m_agreement * (length(f[0], f[1]) + length(f[1], f[2]) + length(f[2], f[0]));
   }
 
-  double length(Point_index p, Point_index q) const
-  {
-    return std::sqrt((m_points[q] - m_points[p]).squared_length());
-  }
+  double length(Point_index p, Point_index q) const { return std::sqrt((m_points[q] - m_points[p]).squared_length()); }
 
   // The change of the energy of the edge between vertices i and j.
   double cost_at_edge(Cell_index c, std::size_t i, std::size_t j)
@@ -269,12 +265,12 @@ private:
   const std::vector<Local_point>& m_points;
   Labelling& m_labelling;
   Label_stars<Labelling> m_stars;
-  std::vector<double> m_defect_costs; // of the vertices; 0 out of the scope
-  std::vector<int> m_defects;         // of the vertices, now
-  std::vector<Point_index> m_apexes;  // of the facets on the surface around an edge
+  std::vector<double> m_defect_costs;  // of the vertices; 0 out of the scope
+  std::vector<int> m_defects;          // of the vertices, now
+  std::vector<Point_index> m_apexes;   // of the facets on the surface around an edge
   std::vector<unsigned char> m_agreed; // facets of the cells, as bits
   double m_agreement = 0.;
-  std::size_t m_facets_at_edge = 0;   // on the surface, around the last edge
+  std::size_t m_facets_at_edge = 0; // on the surface, around the last edge
   // Of the last cell.
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
   std::array<bool, 4> m_is_facet_on_surface{};

@@ -38,12 +38,14 @@ class Label_search
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // Only cells with `is_free(c)` change; facets with `is_agreed(c, i)` are worth keeping, and only points with `is_in_scope(p)` must be manifold.
+  // Only cells with `is_free(c)` change, and only points with `is_in_scope(p)` must be manifold. Facets with
+  // `is_agreed(c, i)` are worth keeping.
   template <typename IsFree, typename IsAgreed, typename IsInScope>
   Label_search(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                const IsFree& is_free, const IsAgreed& is_agreed, const IsInScope& is_in_scope)
     : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_agreed, is_in_scope),
-      m_has_small_part(cells, labelling, m_energy.stars()),      m_state(cells.size(), State::FIXED), m_chain_of(cells.size(), 0)
+      m_has_small_part(cells, labelling, m_energy.stars()), m_state(cells.size(), State::FIXED),
+      m_chain_of(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       if (!Cell_complex::is_infinite(cells[c]) && is_free(c) && m_energy.has_no_hub(c))
@@ -56,16 +58,8 @@ public:
   void operator()(std::size_t& effort, Cancellation_point&& cancellation_point)
   {
     m_effort = effort;
-    follow_chains(cancellation_point);
-    const double agr = getenv("AGR") ? atof(getenv("AGR")) : 1.;
-    if (agr != 0) {
-    m_energy.set_worth_of_agreement(agr);
-    m_maximum_chain = getenv("RC") ? atoi(getenv("RC")) : 1;
-    for (Cell_index c = 0; c != m_cells.size(); ++c)
-      if (m_state[c] != State::FIXED)
-        m_state[c] = m_energy.has_lost_agreed_facet(c) ? State::AWAKE : State::ASLEEP;
-    follow_chains(cancellation_point);
-    }
+    follow_chains(MAXIMUM_CHAIN, cancellation_point);
+    restore_agreed_facets(cancellation_point);
     effort = m_effort;
   }
 
@@ -103,14 +97,26 @@ private:
   };
 
   template <typename Cancellation_point>
-  void follow_chains(Cancellation_point& cancellation_point)
+  void follow_chains(std::size_t maximum_length, Cancellation_point& cancellation_point)
   {
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS && m_effort != 0; ++round)
       for (const Link& seed : find_seeds(cancellation_point)) {
         cancellation_point(MICROSECONDS_PER_CHAIN);
-        if (m_effort != 0 && is_at_surface(seed.cell) && follow_chain(seed.cell))
+        if (m_effort != 0 && is_at_surface(seed.cell) && follow_chain(seed.cell, maximum_length))
           wake();
       }
+  }
+
+  // Where the surface bends little either way, as along the diagonals of nearly flat quadrangles, the stars know
+  // better.
+  template <typename Cancellation_point>
+  void restore_agreed_facets(Cancellation_point& cancellation_point)
+  {
+    m_energy.set_worth_of_agreement(1.);
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      if (m_state[c] != State::FIXED)
+        m_state[c] = m_energy.has_lost_agreed_facet(c) ? State::AWAKE : State::ASLEEP;
+    follow_chains(1, cancellation_point);
   }
 
   bool is_at_surface(Cell_index c) const
@@ -145,7 +151,7 @@ private:
 
   // Makes the changes of the best chain from the cell; returns whether there are any. A chain that cuts a
   // small component off is none: that is what bends least around a few points.
-  bool follow_chain(Cell_index seed)
+  bool follow_chain(Cell_index seed, std::size_t maximum_length)
   {
     ++m_chain;
     m_links.clear();
@@ -162,7 +168,7 @@ private:
         best = m_links.size();
       }
       const bool is_after_best = best != 0 && m_links.size() >= best + LINKS_AFTER_BEST;
-      if (m_candidates.empty() || m_links.size() == m_maximum_chain || is_after_best)
+      if (m_candidates.empty() || m_links.size() == maximum_length || is_after_best)
         break;
     }
     cut_chain(best);
@@ -229,11 +235,11 @@ private:
   Labelling& m_labelling;
   Bending_energy<Labelling> m_energy;
   Small_surface_part<Labelling> m_has_small_part;
-  std::size_t m_effort = 0, m_maximum_chain = MAXIMUM_CHAIN;
+  std::size_t m_effort = 0;              // that is left
   std::vector<State> m_state;            // of each cell
   std::vector<std::uint32_t> m_chain_of; // of each cell: the last chain that came to it
   std::uint32_t m_chain = 0;
-  std::vector<Cell_index> m_links;       // of the current chain
+  std::vector<Cell_index> m_links; // of the current chain
   std::vector<Link> m_candidates;
 };
 

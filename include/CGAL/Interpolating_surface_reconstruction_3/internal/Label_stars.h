@@ -37,8 +37,8 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   Label_stars(const Cell_complex& cells, const Labelling& labelling)
-    : m_cells(cells), m_labelling(labelling), m_components(cells, labelling),
-      m_sizes(cells.points().size(), 0), m_begins(cells.points().size(), NO_STAR)
+    : m_cells(cells), m_labelling(labelling), m_components(cells, labelling), m_sizes(cells.points().size(), 0),
+      m_begins(cells.points().size(), NO_STAR)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
@@ -127,9 +127,9 @@ private:
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
   Label_components<Labelling> m_components;
-  std::vector<std::uint32_t> m_sizes;    // of the star of each vertex
-  std::vector<std::uint32_t> m_begins;   // of the star of each vertex in m_star_cells, or NO_STAR
-  std::vector<Cell_index> m_star_cells;  // increasing in each star
+  std::vector<std::uint32_t> m_sizes;                     // of the star of each vertex
+  std::vector<std::uint32_t> m_begins;                    // of the star of each vertex in m_star_cells, or NO_STAR
+  std::vector<Cell_index> m_star_cells;                   // increasing in each star
   std::vector<std::array<unsigned char, 3> > m_neighbors; // of each of them, in its star
 };
 

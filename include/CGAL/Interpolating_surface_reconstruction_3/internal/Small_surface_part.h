@@ -46,7 +46,8 @@ public:
       if (std::find(reached.begin(), reached.end(), start.point) != reached.end())
         continue;
       const bool is_small = walk(start);
-      if (is_small && std::any_of(m_starts.begin(), m_starts.end(), [&](const Place& s) { return !has_reached(s.point); }))
+      if (is_small &&
+          std::any_of(m_starts.begin(), m_starts.end(), [&](const Place& s) { return !has_reached(s.point); }))
         return true;
       for (const Place& place : m_reached)
         reached.push_back(place.point);

@@ -16,10 +16,10 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Facet_knowledge.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Site_triangulation.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_clusters.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/facet_evidence.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
@@ -41,7 +41,8 @@ namespace internal {
 // and the surface around them are triangulated by Delaunay tetrahedra, these are labelled inside
 // and outside, and the facets between the labels are the surface. The labels follow the sides of the
 // charts around, the votes of the stars and the shapes of the cells; then, as all that makes an
-// oriented surface, the linear implicit function of its normals (thesis 5.2), again and again.
+// oriented surface, the linear implicit function of its normals (thesis 5.2), again and again; and at last
+// the surface is bent as little as possible.
 template <typename Builder>
 class Conflict_completion
 {
@@ -49,7 +50,7 @@ public:
   Conflict_completion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
                       Builder& builder)
     : m_points(points), m_builder(builder), m_clusters(points, octree, maximum_radius, builder),
-      m_oriented_energy(points)
+      m_oriented_energy(points), m_knowledge(builder, m_is_conflict)
   { }
 
   // Ends early if cancelled.
@@ -61,8 +62,6 @@ public:
     m_is_conflict.assign(m_points.size(), 0);
     m_is_site.assign(m_points.size(), 0);
     m_search_effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_points.size();
-    m_is_certain.assign(m_points.size(), 0);
-    m_facets_at.assign(m_points.size(), 0);
     for (Point_index p : m_clusters.conflicts())
       m_is_conflict[p] = 1;
     std::size_t done = 0;
@@ -98,9 +97,6 @@ private:
   // point where there are more.
   static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 2;
 
-  // Whether the surface at the point is one closed fan.
-  bool is_complete(Point_index p) const { return !m_builder.is_open(p) || m_builder.is_fan_closed(p); }
-
   bool is_conflict(Point_index p) const { return m_is_conflict[p] != 0; }
 
   template <typename CancellationPoint, typename OnVerdict>
@@ -113,13 +109,15 @@ private:
     for (Point_index p : cluster)
       add_to_cluster(p, cancellation_point);
     Cell_complex cells = triangulate_with_surface(cancellation_point);
-    static const int WR = getenv("WR") ? atoi(getenv("WR")) : 1;
-    for (int round = 0; cells.size() != 0 && !attach_or_withdraw(cells, round < WR, cancellation_point, on_verdict); ++round) {
+    // Once: stars that contradict the second surface would go on to spread.
+    if (cells.size() != 0 && !attach_or_withdraw(cells, true, cancellation_point, on_verdict)) {
       cells = Cell_complex();
       cells = triangulate(cancellation_point);
+      if (cells.size() != 0)
+        attach_or_withdraw(cells, false, cancellation_point, on_verdict);
     }
     for (Point_index p : m_cluster)
-      m_is_conflict[p] = is_complete(p) ? 0 : 1;
+      m_is_conflict[p] = m_knowledge.is_complete(p) ? 0 : 1;
   }
 
   // Attaches the surface of the labelling of the cells, or withdraws the stars that it contradicts and
@@ -128,7 +126,7 @@ private:
   bool attach_or_withdraw(const Cell_complex& cells, bool may_withdraw, CancellationPoint& cancellation_point,
                           OnVerdict on_verdict)
   {
-    gather_knowledge(cells, cancellation_point);
+    m_knowledge.gather(cells, cancellation_point);
     const Cell_labelling labelling = label(cells, may_withdraw, cancellation_point);
     if (may_withdraw && withdraw_contradicted_stars(cells, labelling, cancellation_point))
       return false;
@@ -140,9 +138,9 @@ private:
   template <typename CancellationPoint>
   Cell_labelling label(const Cell_complex& cells, bool may_withdraw, CancellationPoint& cancellation_point)
   {
-    const auto known = [&](Cell_index c, std::size_t i) { return certainty(m_knowledge[c][i]); };
+    const auto known = [&](Cell_index c, std::size_t i) { return m_knowledge.certainty(c, i); };
     Cell_labelling labelling = label_by_evidence(cells, known, cancellation_point);
-    const auto is_in_scope = [&](Point_index p) { return p != NO_POINT && (is_conflict(p) || m_is_certain[p] != 0); };
+    const auto is_in_scope = [&](Point_index p) { return m_knowledge.is_in_scope(p); };
     Labelling_repair<Cell_labelling> repair(cells, labelling, is_in_scope, CERTAIN / 2, false, cancellation_point);
     repair(cancellation_point);
     for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
@@ -154,9 +152,9 @@ private:
       cells, m_points, labelling,
       [&](Cell_index c) {
         const auto& vertices = cells[c].vertices;
-        return may_withdraw ? std::all_of(vertices.begin(), vertices.end(), is_in_scope) : is_undecided(c);
+        return may_withdraw ? std::all_of(vertices.begin(), vertices.end(), is_in_scope) : m_knowledge.is_undecided(c);
       },
-      [&](Cell_index c, std::size_t i) { return m_knowledge[c][i] == Knowledge::ON_SURFACE; }, is_in_scope);
+      [&](Cell_index c, std::size_t i) { return m_knowledge.is_on_surface(c, i); }, is_in_scope);
     search(m_search_effort, cancellation_point);
     return labelling;
   }
@@ -174,106 +172,9 @@ private:
         },
         cancellation_point);
     }
-    labelling.label_by_weights([&](Cell_index c, std::size_t i) { return chart(cells, c, i); }, cancellation_point);
+    labelling.label_by_weights([&](Cell_index c, std::size_t i) { return m_knowledge.chart(cells, c, i); },
+                               cancellation_point);
     return labelling;
-  }
-
-  // What the surface around says about a facet. Of an infinite one that it bounds the convex hull of the
-  // sites there, or nothing, because points beyond the sites are unknown.
-  enum class Knowledge : unsigned char
-  {
-    NONE,
-    ON_SURFACE,
-    OFF_SURFACE,
-    IRRELEVANT
-  };
-
-  template <typename CancellationPoint>
-  void gather_knowledge(const Cell_complex& cells, CancellationPoint& cancellation_point)
-  {
-    m_knowledge.assign(cells.size(), { { Knowledge::NONE, Knowledge::NONE, Knowledge::NONE, Knowledge::NONE } });
-    find_triangles(cells, cancellation_point);
-    find_certain_sites(cells, cancellation_point);
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        if (cells[c].neighbors[i] >= c && m_knowledge[c][i] == Knowledge::NONE)
-          learn(cells, c, i, knowledge_beside_triangles(Cell_complex::facet(cells[c], i)));
-      }
-  }
-
-  void learn(const Cell_complex& cells, Cell_index c, std::size_t i, Knowledge knowledge)
-  {
-    m_knowledge[c][i] = m_knowledge[cells[c].neighbors[i]][cells.mirror(c, i)] = knowledge;
-  }
-
-  Knowledge knowledge_beside_triangles(const Facet& f) const
-  {
-    if (!Cell_complex::is_infinite(f))
-      return m_is_certain[f[0]] || m_is_certain[f[1]] || m_is_certain[f[2]] ? Knowledge::OFF_SURFACE : Knowledge::NONE;
-    for (Point_index p : f)
-      if (p != NO_POINT && (is_conflict(p) || m_is_certain[p]))
-        return Knowledge::OFF_SURFACE;
-    return Knowledge::IRRELEVANT;
-  }
-
-  template <typename CancellationPoint>
-  void find_triangles(const Cell_complex& cells, CancellationPoint& cancellation_point)
-  {
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        const Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && has_triangle(f))
-          learn(cells, c, i, Knowledge::ON_SURFACE);
-      }
-  }
-
-  // A site is certain if its fan is closed and made of facets of the cells.
-  template <typename CancellationPoint>
-  void find_certain_sites(const Cell_complex& cells, CancellationPoint& cancellation_point)
-  {
-    for (Point_index p : m_sites)
-      m_facets_at[p] = 0;
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        if (cells[c].neighbors[i] >= c && m_knowledge[c][i] == Knowledge::ON_SURFACE)
-          for (Point_index p : Cell_complex::facet(cells[c], i))
-            ++m_facets_at[p];
-      }
-    for (Point_index p : m_sites) {
-      std::uint32_t triangles = 0;
-      m_builder.for_each_triangle_at(p, [&](const Triangle&) { ++triangles; });
-      m_is_certain[p] = !is_conflict(p) && is_complete(p) && m_facets_at[p] == triangles ? 1 : 0;
-    }
-  }
-
-  // Whether a facet is on the surface, or not, or does not matter; empty if nothing is known.
-  static std::optional<double> certainty(Knowledge knowledge)
-  {
-    if (knowledge == Knowledge::NONE)
-      return std::nullopt;
-    return knowledge == Knowledge::ON_SURFACE ? 1. : knowledge == Knowledge::OFF_SURFACE ? -1. : 0.;
-  }
-
-  // Whether of no facet of the cell it is known that it is on the surface or that it is not.
-  bool is_undecided(Cell_index c) const
-  {
-    return std::all_of(m_knowledge[c].begin(), m_knowledge[c].end(),
-                       [](Knowledge k) { return k == Knowledge::NONE || k == Knowledge::IRRELEVANT; });
-  }
-
-  // The connected part of the surface that the facet belongs to, flipped if the cell lies behind it.
-  std::optional<Parity_union_find::Oriented_root> chart(const Cell_complex& cells, Cell_index c, std::size_t i) const
-  {
-    if (m_knowledge[c][i] != Knowledge::ON_SURFACE)
-      return std::nullopt;
-    const Facet f = Cell_complex::facet(cells[c], i);
-    auto result = m_builder.orientation(f[0], f[1], f[2]);
-    if (result && i % 2 == 0)
-      result->is_flipped = !result->is_flipped;
-    return result;
   }
 
   // Adds a conflict and what it must see.
@@ -322,7 +223,7 @@ private:
     triangulation.for_each_facet([&](Facet f) {
       cancellation_point();
       if (Cell_complex::is_infinite(f) || !(is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])) ||
-          !has_triangle(f))
+          !m_knowledge.has_triangle(f))
         return;
       std::sort(f.begin(), f.end());
       facets.push_back(f);
@@ -350,7 +251,7 @@ private:
     std::vector<Point_index> contradicted;
     for_each_missing_triangle(cells, labelling, cancellation_point, [&](const Triangle& t) {
       for (Point_index p : t)
-        if (!is_conflict(p) && is_complete(p))
+        if (!is_conflict(p) && m_knowledge.is_complete(p))
           contradicted.push_back(p);
     });
     std::sort(contradicted.begin(), contradicted.end());
@@ -383,13 +284,6 @@ private:
     return m_builder.find_triangle(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
   }
 
-  bool has_triangle(const Facet& f) const
-  {
-    if (m_builder.is_open(f[0]))
-      return m_builder.find_triangle(f[0], f[1], f[2]) != Builder::NO_TRIANGLE;
-    return m_builder.compatibility().stars().view(f[0], f[1], f[2]) != Star_table::View::ABSENT;
-  }
-
   // Calls visit(triangle) for the facets between the labels at conflicts that the surface lacks.
   template <typename CancellationPoint, typename Visit>
   void for_each_missing_triangle(const Cell_complex& cells, const Cell_labelling& labelling,
@@ -400,7 +294,7 @@ private:
         cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
         if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && labelling.is_surface(c, i) &&
-            m_knowledge[c][i] != Knowledge::ON_SURFACE && (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
+            !m_knowledge.is_on_surface(c, i) && (is_conflict(f[0]) || is_conflict(f[1]) || is_conflict(f[2])))
           visit(f);
       }
   }
@@ -426,11 +320,9 @@ private:
   Conflict_clusters<Builder> m_clusters;
   Oriented_energy m_oriented_energy;
   std::vector<unsigned char> m_is_conflict, m_is_site; // of each point, now
-  std::vector<unsigned char> m_is_certain;             // of each site
-  std::vector<std::uint32_t> m_facets_at;              // of each site
-  std::vector<std::array<Knowledge, 4> > m_knowledge;  // of the facets of each cell
-  std::vector<Point_index> m_cluster;                  // conflicts of the current cluster
-  std::vector<Point_index> m_sites;                    // of the current cluster, increasing
+  Facet_knowledge<Builder> m_knowledge;
+  std::vector<Point_index> m_cluster; // conflicts of the current cluster
+  std::vector<Point_index> m_sites;   // of the current cluster, increasing
   std::vector<Point_index> m_around;
   std::size_t m_search_effort = 0; // that is left
 };
