@@ -283,7 +283,7 @@ void test_tunnel()
 // Components are small below 64 points.
 void test_small_part()
 {
-  for (const std::size_t n : { 40, 100 }) {
+  for (const std::size_t n : { std::size_t(40), std::size_t(100) }) {
     begin_case("two balls of " + std::to_string(n) + " points");
     Points points = sphere_random(n, 1).points;
     const Points other = translated(sphere_random(100, 2).points, Vector(5, 0, 0));
