@@ -55,7 +55,7 @@ private:
   // Eight of each time that the angle shrinks by the square root of two, down to where the cosine hardly
   // differs from one.
   static constexpr int CLASSES_PER_OCTAVE = 8, OCTAVES = 32;
-  static constexpr std::size_t CLASSES = CLASSES_PER_OCTAVE * OCTAVES;
+  static constexpr std::size_t CLASSES = std::size_t(CLASSES_PER_OCTAVE) * std::size_t(OCTAVES);
 
   // Not greater for a greater coplanarity.
   static std::size_t class_of(double coplanarity)
