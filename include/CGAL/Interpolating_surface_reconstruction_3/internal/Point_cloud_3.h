@@ -96,7 +96,9 @@ public:
   // A point in the user's coordinates as a point for measures.
   Local_point local_point(double x, double y, double z) const
   {
-    return Local_point(local_length(x - m_shift[0]), local_length(y - m_shift[1]), local_length(z - m_shift[2]));
+    // the sum makes a negative zero positive, which an angle tells apart
+    return Local_point(local_length(x - m_shift[0]) + 0., local_length(y - m_shift[1]) + 0.,
+                       local_length(z - m_shift[2]) + 0.);
   }
 
   std::size_t number_of_duplicates() const { return m_duplicates; }
