@@ -243,7 +243,7 @@ template <typename IsFree>
 void search(Sample& s, std::size_t& effort, const IsFree& is_free)
 {
   Label_search<Labels>(
-    s.cells, s.positions, s.labels, is_free, [](Cell_index, std::size_t) { return false; },
+    s.cells, s.positions, s.labels, is_free, is_free, [](Cell_index, std::size_t) { return false; },
     [](Point_index) { return true; })(effort, No_cancellation());
 }
 

@@ -87,6 +87,15 @@ public:
     return result;
   }
 
+  // Whether the surface bends by more than the angle at an edge of the finite cell, or is no manifold at a vertex.
+  bool bends_more_than(double angle, Cell_index c)
+  {
+    m_largest_bending = 0.;
+    cost_of_change(c);
+    return m_largest_bending > angle || std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
+                                                    [&](Point_index p) { return m_defects[position_of(p)] != 0; });
+  }
+
   // Changes the label of the finite cell.
   void change(Cell_index c)
   {
@@ -208,8 +217,9 @@ private:
     }
     const bool own = m_labelling.label(c);
     m_facets_at_edge = m_apexes.size() + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
-    return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) -
-           energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
+    const double now = energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
+    m_largest_bending = (std::max)(m_largest_bending, m_bending);
+    return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) - now;
   }
 
   // The energy of an edge with surface facets to m_apexes and to the two others if they are on the surface.
@@ -217,13 +227,14 @@ private:
                         Point_index last)
   {
     const std::size_t inner = m_apexes.size(), facets = inner + (has_first ? 1 : 0) + (has_last ? 1 : 0);
+    m_bending = facets == 0 ? 0. : PI;
     if (facets == 0)
       return 0.;
     if (facets != 2)
       return length(p, q) * double(facets / 2) * (FLAT_SHARE + .5 * PI * PI);
     const Point_index a = inner != 0 ? m_apexes[0] : first, b = inner == 2 ? m_apexes[1] : has_last ? last : first;
-    const double bending = a == NO_POINT || b == NO_POINT ? 0. : bending_angle(p, q, a, b);
-    return length(p, q) * (FLAT_SHARE + .5 * bending * bending);
+    m_bending = a == NO_POINT || b == NO_POINT ? 0. : bending_angle(p, q, a, b);
+    return length(p, q) * (FLAT_SHARE + .5 * m_bending * m_bending);
   }
 
   // Between the planes of triangles p, q, a and q, p, b: 0 if they are flat.
@@ -270,7 +281,8 @@ private:
   std::vector<Point_index> m_apexes;   // of the facets on the surface around an edge
   std::vector<unsigned char> m_agreed; // facets of the cells, as bits
   double m_agreement = 0.;
-  std::size_t m_facets_at_edge = 0; // on the surface, around the last edge
+  double m_bending = 0., m_largest_bending = 0.; // at the last edge; at edges as they are
+  std::size_t m_facets_at_edge = 0;              // on the surface, around the last edge
   // Of the last cell.
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
   std::array<bool, 4> m_is_facet_on_surface{};

@@ -38,18 +38,18 @@ class Label_search
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // Only cells with `is_free(c)` change, and only points with `is_in_scope(p)` must be manifold. Facets with
-  // `is_agreed(c, i)` are worth keeping.
-  template <typename IsFree, typename IsAgreed, typename IsInScope>
+  // Only cells with `is_free(c)` change, and chains start from those with `is_seed(c)`, or where one has changed
+  // something. Only points with `is_in_scope(p)` must be manifold. Facets with `is_agreed(c, i)` are worth keeping.
+  template <typename IsFree, typename IsSeed, typename IsAgreed, typename IsInScope>
   Label_search(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-               const IsFree& is_free, const IsAgreed& is_agreed, const IsInScope& is_in_scope)
+               const IsFree& is_free, const IsSeed& is_seed, const IsAgreed& is_agreed, const IsInScope& is_in_scope)
     : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_agreed, is_in_scope),
       m_has_small_part(cells, labelling, m_energy.stars()), m_state(cells.size(), State::FIXED),
       m_chain_of(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       if (!Cell_complex::is_infinite(cells[c]) && is_free(c) && m_energy.has_no_hub(c))
-        m_state[c] = State::AWAKE;
+        m_state[c] = is_seed(c) ? State::AWAKE : State::ASLEEP;
   }
 
   // Ends at the latest when `effort` changes have been tried, and takes those tried from it.
@@ -58,6 +58,8 @@ public:
   void operator()(std::size_t& effort, Cancellation_point&& cancellation_point)
   {
     m_effort = effort;
+    if (!has_fold(cancellation_point))
+      return;
     follow_chains(MAXIMUM_CHAIN, cancellation_point);
     restore_agreed_facets(cancellation_point);
     effort = m_effort;
@@ -78,6 +80,9 @@ private:
 
   static constexpr double ROUNDING = 1e-9;
 
+  // A right angle.
+  static constexpr double SHARP_BENDING = 1.57079632679489661923;
+
   static constexpr std::size_t MICROSECONDS_PER_CHAIN = 256;
 
   // Free cells sleep until something changes around them.
@@ -95,6 +100,19 @@ private:
     double cost;
     bool operator<(const Link& other) const { return cost < other.cost || (cost == other.cost && cell < other.cell); }
   };
+
+  // Wrong handles and bridges have sharp edges somewhere. Most conflicts are no more than diagonals.
+  template <typename Cancellation_point>
+  bool has_fold(Cancellation_point& cancellation_point)
+  {
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      if (m_state[c] == State::AWAKE && is_at_surface(c)) {
+        cancellation_point();
+        if (m_energy.bends_more_than(SHARP_BENDING, c))
+          return true;
+      }
+    return false;
+  }
 
   template <typename Cancellation_point>
   void follow_chains(std::size_t maximum_length, Cancellation_point& cancellation_point)
@@ -172,7 +190,7 @@ private:
         break;
     }
     cut_chain(best);
-    if (best != 0 && m_has_small_part(m_links))
+    if (best > 1 && m_has_small_part(m_links))
       cut_chain(0);
     return !m_links.empty();
   }

@@ -154,6 +154,11 @@ private:
         const auto& vertices = cells[c].vertices;
         return may_withdraw ? std::all_of(vertices.begin(), vertices.end(), is_in_scope) : m_knowledge.is_undecided(c);
       },
+      [&](Cell_index c) {
+        const auto& vertices = cells[c].vertices;
+        return std::any_of(vertices.begin(), vertices.end(),
+                           [&](Point_index p) { return p != NO_POINT && is_conflict(p); });
+      },
       [&](Cell_index c, std::size_t i) { return m_knowledge.is_on_surface(c, i); }, is_in_scope);
     search(m_search_effort, cancellation_point);
     return labelling;
