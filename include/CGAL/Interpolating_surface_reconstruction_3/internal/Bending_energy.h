@@ -45,20 +45,14 @@ public:
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                  const IsAgreed& is_agreed, const IsInScope& is_in_scope)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
-      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), 0), m_agreed(cells.size(), 0)
+      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), NOT_COUNTED),
+      m_agreed(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i)
         if (is_agreed(c, i))
           m_agreed[c] = static_cast<unsigned char>(m_agreed[c] | (1u << i));
     find_defect_costs(is_in_scope);
-    std::vector<unsigned char> is_counted(m_defects.size(), 0);
-    for (Cell_index c = 0; c != cells.size(); ++c)
-      for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && !is_counted[position_of(p)]) {
-          is_counted[position_of(p)] = 1;
-          count_defects(position_of(p), c);
-        }
   }
 
   // Whether the energy around the finite cell can be told: no vertex is a hub, a point of very many cells.
@@ -71,6 +65,7 @@ public:
   // By how much the energy grows if the finite cell without hub changes its label.
   double cost_of_change(Cell_index c)
   {
+    m_last = c;
     double result = 0.;
     for (std::size_t i = 0; i != 4; ++i)
       for (std::size_t j = i + 1; j != 4; ++j) {
@@ -93,15 +88,30 @@ public:
     m_largest_bending = 0.;
     cost_of_change(c);
     return m_largest_bending > angle || std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
-                                                    [&](Point_index p) { return m_defects[position_of(p)] != 0; });
+                                                    [&](Point_index p) { return defects(position_of(p), c) != 0; });
   }
 
-  // Changes the label of the finite cell.
-  void change(Cell_index c)
+  // Of the vertices of a cell.
+  using Defects = std::array<int, 4>;
+
+  // Changes the label of the finite cell without hub; returns what change_back() needs.
+  Defects change(Cell_index c)
+  {
+    if (m_last != c)
+      cost_of_change(c);
+    const Defects after = m_defects_after_change;
+    const Defects before = set_defects(c, after);
+    m_labelling.flip(c);
+    m_last = Cell_complex::NO_CELL;
+    return before;
+  }
+
+  // Takes the last change back that is not yet taken back.
+  void change_back(Cell_index c, const Defects& before)
   {
     m_labelling.flip(c);
-    for (Point_index p : m_cells[c].vertices)
-      count_defects(position_of(p), c);
+    set_defects(c, before);
+    m_last = Cell_complex::NO_CELL;
   }
 
   // From now on, an agreed facet on the surface is worth half of its perimeter times the factor.
@@ -129,6 +139,8 @@ public:
 private:
   // Edges of mean length that a defect costs.
   static constexpr double DEFECT_EDGES = 3.;
+
+  static constexpr int NOT_COUNTED = -1;
 
   // Worth of an edge where the surface is flat.
   static constexpr double FLAT_SHARE = .1;
@@ -242,7 +254,8 @@ private:
   {
     const Local_vector e = m_points[q] - m_points[p];
     const Local_vector m = cross_product(e, m_points[a] - m_points[p]), n = cross_product(m_points[b] - m_points[p], e);
-    return std::atan2(std::sqrt(cross_product(m, n).squared_length()), m * n);
+    const double scale = std::sqrt(m.squared_length() * n.squared_length());
+    return scale == 0. ? PI : std::acos((std::max)(-1., (std::min)(1., m * n / scale)));
   }
 
   // The change of the defects at vertex i. Where there are none, the surface meets a sphere around the point in
@@ -251,25 +264,44 @@ private:
   {
     const Point_index p = m_cells[c].vertices[i];
     const std::size_t v = position_of(p);
+    m_defects_after_change[i] = 0;
     if (m_defect_costs[v] == 0.)
       return 0.;
-    if (m_defects[v] != 0) {
-      const int after = m_stars.defects(v, c, c);
-      return m_defect_costs[v] * double(after - m_defects[v]);
-    }
+    const int before = defects(v, c);
+    m_defects_after_change[i] = before != 0 ? m_stars.defects(v, c, c) : defects_beside_cycle(i);
+    return m_defect_costs[v] * double(m_defects_after_change[i] - before);
+  }
+
+  // The defects that the change of the last cell leads to at vertex i if there are none.
+  int defects_beside_cycle(std::size_t i) const
+  {
     int arcs = 0, corners = 0;
     for (std::size_t j = 0; j != 4; ++j)
       if (j != i) {
         arcs += m_is_facet_on_surface[j] ? 1 : 0;
         corners += m_is_edge_on_surface[i][j] ? 1 : 0;
       }
-    const int defects = arcs == 0 ? (std::max)(corners, 1) : arcs == 1 ? corners - 2 : arcs == 2 ? 0 : 1;
-    return m_defect_costs[v] * double(defects);
+    return arcs == 0 ? (std::max)(corners, 1) : arcs == 1 ? corners - 2 : arcs == 2 ? 0 : 1;
   }
 
-  void count_defects(std::size_t v, Cell_index first)
+  // Returns those before.
+  Defects set_defects(Cell_index c, const Defects& defects)
   {
-    m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v, first);
+    Defects before;
+    for (std::size_t i = 0; i != 4; ++i) {
+      int& at_vertex = m_defects[position_of(m_cells[c].vertices[i])];
+      before[i] = at_vertex;
+      at_vertex = defects[i];
+    }
+    return before;
+  }
+
+  // The defects at vertex v, of which `first` is a cell; most are never asked for.
+  int defects(std::size_t v, Cell_index first)
+  {
+    if (m_defects[v] == NOT_COUNTED)
+      m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v, first);
+    return m_defects[v];
   }
 
   const Cell_complex& m_cells;
@@ -283,7 +315,9 @@ private:
   double m_agreement = 0.;
   double m_bending = 0., m_largest_bending = 0.; // at the last edge; at edges as they are
   std::size_t m_facets_at_edge = 0;              // on the surface, around the last edge
+  Cell_index m_last = Cell_complex::NO_CELL;     // cell whose cost has been told
   // Of the last cell.
+  Defects m_defects_after_change{};
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
   std::array<bool, 4> m_is_facet_on_surface{};
 };

@@ -36,6 +36,8 @@ class Cell_complex
 public:
   using Cell_index = std::uint32_t;
 
+  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
+
   struct Cell
   {
     std::array<Point_index, 4> vertices;

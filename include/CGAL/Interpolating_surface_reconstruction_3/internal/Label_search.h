@@ -85,7 +85,8 @@ private:
 
   static constexpr std::size_t MICROSECONDS_PER_CHAIN = 256;
 
-  // Free cells sleep until something changes around them.
+  // Free cells sleep until something changes around them, and again as soon as they were in a chain that led to
+  // nothing: the chains from all of its cells are mostly the same.
   enum class State : unsigned char
   {
     FIXED,
@@ -120,7 +121,8 @@ private:
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS && m_effort != 0; ++round)
       for (const Link& seed : find_seeds(cancellation_point)) {
         cancellation_point(MICROSECONDS_PER_CHAIN);
-        if (m_effort != 0 && is_at_surface(seed.cell) && follow_chain(seed.cell, maximum_length))
+        if (m_effort != 0 && m_state[seed.cell] == State::AWAKE && is_at_surface(seed.cell) &&
+            follow_chain(seed.cell, maximum_length))
           wake();
       }
   }
@@ -151,7 +153,7 @@ private:
     return m_energy.cost_of_change(c);
   }
 
-  // The cells at the surface that are awake, the best first; they fall asleep.
+  // The cells at the surface that are awake, the best first; others fall asleep.
   template <typename Cancellation_point>
   std::vector<Link> find_seeds(Cancellation_point& cancellation_point)
   {
@@ -159,9 +161,10 @@ private:
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       if (m_state[c] == State::AWAKE) {
         cancellation_point();
-        m_state[c] = State::ASLEEP;
         if (is_at_surface(c))
           seeds.push_back(Link{ c, cost_of_change(c) });
+        else
+          m_state[c] = State::ASLEEP;
       }
     std::sort(seeds.begin(), seeds.end());
     return seeds;
@@ -173,9 +176,11 @@ private:
   {
     ++m_chain;
     m_links.clear();
+    m_defects_before.clear();
     m_candidates.clear();
     const double scale = m_energy.cost_of_defect(seed);
     double cost = cost_of_change(seed), least = -ROUNDING * scale;
+    m_state[seed] = State::ASLEEP;
     if (cost > FIRST_LOSS * scale)
       return false;
     std::size_t best = 0;
@@ -189,6 +194,8 @@ private:
       if (m_candidates.empty() || m_links.size() == maximum_length || is_after_best)
         break;
     }
+    if (best == 0)
+      put_links_asleep();
     cut_chain(best);
     if (best > 1 && m_has_small_part(m_links))
       cut_chain(0);
@@ -198,7 +205,7 @@ private:
   // Changes the cell; its neighbors become candidates.
   void add_link(Cell_index c)
   {
-    m_energy.change(c);
+    m_defects_before.push_back(m_energy.change(c));
     m_links.push_back(c);
     m_chain_of[c] = m_chain;
     for (Link& candidate : m_candidates)
@@ -234,9 +241,14 @@ private:
   // Takes the changes from the given one on back.
   void cut_chain(std::size_t length)
   {
-    for (std::size_t k = m_links.size(); k > length; --k)
-      m_energy.change(m_links[k - 1]);
-    m_links.resize(length);
+    for (; m_links.size() > length; m_links.pop_back(), m_defects_before.pop_back())
+      m_energy.change_back(m_links.back(), m_defects_before.back());
+  }
+
+  void put_links_asleep()
+  {
+    for (Cell_index c : m_links)
+      m_state[c] = State::ASLEEP;
   }
 
   void wake()
@@ -244,7 +256,7 @@ private:
     for (Cell_index c : m_links)
       for (Point_index p : m_cells[c].vertices)
         m_energy.stars().for_each_cell(m_cells.position(p), c, [&](Cell_index n) {
-          if (m_state[n] == State::ASLEEP)
+          if (m_state[n] != State::FIXED)
             m_state[n] = State::AWAKE;
         });
   }
@@ -257,7 +269,8 @@ private:
   std::vector<State> m_state;            // of each cell
   std::vector<std::uint32_t> m_chain_of; // of each cell: the last chain that came to it
   std::uint32_t m_chain = 0;
-  std::vector<Cell_index> m_links; // of the current chain
+  std::vector<Cell_index> m_links;                                           // of the current chain
+  std::vector<typename Bending_energy<Labelling>::Defects> m_defects_before; // at each link
   std::vector<Link> m_candidates;
 };
 

@@ -49,9 +49,10 @@ public:
   // Whether the vertex has more cells than a star can have.
   bool is_hub(std::size_t v) const { return m_sizes[v] > MAXIMUM_CELLS; }
 
-  // For a vertex that is no hub: how far the surface between the labels is from a manifold at vertex v, of which `first` is a cell, with the
-  // label of cell `changed` the other way round: 0 if there is one component of each label.
-  int defects(std::size_t v, Cell_index first, Cell_index changed = NO_CELL)
+  // For a vertex that is no hub: how far the surface between the labels is from a manifold at vertex v, of which
+  // `first` is a cell, with the label of cell `changed` the other way round: 0 if there is one component of each
+  // label.
+  int defects(std::size_t v, Cell_index first, Cell_index changed = Cell_complex::NO_CELL)
   {
     const std::size_t begin = find_star(v, first), size = m_sizes[v];
     std::array<unsigned char, MAXIMUM_CELLS> labels, stack;
@@ -88,7 +89,6 @@ public:
   }
 
 private:
-  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
   static constexpr std::uint32_t NO_STAR = static_cast<std::uint32_t>(-1);
   static constexpr unsigned char VISITED = 2;
 

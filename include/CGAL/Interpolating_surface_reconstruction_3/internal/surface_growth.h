@@ -56,7 +56,8 @@ public:
   { }
 
   // Calls on_verdict(triangle, verdict) for the triangles in the order in which they are attached, or
-  // refused; those that grow from one seed are oriented consistently. Ends early if cancelled. Returns the number of attached triangles.
+  // refused; those that grow from one seed are oriented consistently. Ends early if cancelled. Returns the number of
+  // attached triangles.
   template <typename ConcurrencyTag, typename Progress, typename OnVerdict>
   std::size_t grow_from_seeds(Progress& progress, OnVerdict on_verdict)
   {
