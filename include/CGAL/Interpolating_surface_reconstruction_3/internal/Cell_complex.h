@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -145,82 +146,86 @@ private:
       m_positions[m_points[k] - m_points.front()] = static_cast<Point_index>(k);
   }
 
-  // The vertices in increasing order, but for the last two, which are exchanged where that keeps the
-  // orientation. `order` tells which vertices of the cell they are.
-  static Vertices canonical_vertices(Delaunay::Cell_handle cell, std::array<int, 4>& order)
-  {
-    Vertices v;
-    bool is_odd = false;
-    for (int i = 0; i != 4; ++i) {
-      std::size_t j = std::size_t(i);
-      const Point_index p = cell->vertex(i)->info();
-      for (; j != 0 && v[j - 1] > p; --j, is_odd = !is_odd) {
-        v[j] = v[j - 1];
-        order[j] = order[j - 1];
-      }
-      v[j] = p;
-      order[j] = i;
-    }
-    if (is_odd) {
-      std::swap(v[2], v[3]);
-      std::swap(order[2], order[3]);
-    }
-    return v;
-  }
+  using Cell_handle = Delaunay::Cell_handle;
 
-  // The info of each cell of the triangulation becomes its place in the sequence of cells there.
+  // The cells are in the lexicographic order of their increasing vertices. They are put where those with
+  // the same smallest vertex are, which are few, then sorted, and get their neighbors last, in an order in
+  // which these are near in memory. The info of each cell of the triangulation becomes its place.
   template <typename Cancellation_point>
   void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
   {
-    std::array<int, 4> order;
-    std::vector<Vertices> vertices;
-    vertices.reserve(delaunay.number_of_cells());
-    for (Delaunay::Cell_iterator cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+    std::vector<Cell_index> end(m_points.size() + 1, 0); // of the cells of each smallest vertex, so far
+    for (Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      cell->info() = static_cast<Cell_index>(vertices.size());
-      vertices.push_back(canonical_vertices(cell, order));
+      ++end[position(smallest_vertex(cell)) + 1];
     }
-    const std::vector<Cell_index> ranks = rank_cells(vertices, cancellation_point);
-    std::vector<Vertices>().swap(vertices);
-    m_cells.resize(ranks.size());
-    for (Delaunay::Cell_iterator cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell) {
+    for (std::size_t k = 0; k != m_points.size(); ++k)
+      end[k + 1] += end[k];
+    m_cells.resize(end.back());
+    std::vector<Cell_handle> handles(m_cells.size());
+    for (Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      Cell& copy = m_cells[ranks[cell->info()]];
-      copy.vertices = canonical_vertices(cell, order);
-      for (std::size_t i = 0; i != 4; ++i)
-        copy.neighbors[i] = ranks[cell->neighbor(order[i])->info()];
+      const Cell_index c = end[position(smallest_vertex(cell))]++;
+      handles[c] = cell;
+      m_cells[c].vertices = increasing_vertices(cell);
+    }
+    std::vector<std::pair<Vertices, Cell_handle> > entries;
+    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = end[k], ++k) {
+      cancellation_point();
+      sort_cells(begin, end[k], handles, entries);
+    }
+    for (std::size_t c = 0; c != m_cells.size(); ++c)
+      handles[c]->info() = static_cast<Cell_index>(c);
+    for (std::size_t c = 0; c != m_cells.size(); ++c) {
+      cancellation_point();
+      set_neighbors(m_cells[c], handles[c]);
     }
   }
 
-  // The rank of each cell in the lexicographic order of their increasing vertices: those with the same
-  // smallest vertex are few.
-  template <typename Cancellation_point>
-  std::vector<Cell_index> rank_cells(const std::vector<Vertices>& vertices,
-                                     Cancellation_point& cancellation_point) const
+  static Point_index smallest_vertex(Cell_handle cell)
   {
-    std::vector<Cell_index> next(m_points.size() + 1, 0), order(vertices.size()), ranks(vertices.size());
-    for (const Vertices& v : vertices) {
-      cancellation_point();
-      ++next[position(v[0]) + 1];
+    return (std::min)((std::min)(cell->vertex(0)->info(), cell->vertex(1)->info()),
+                      (std::min)(cell->vertex(2)->info(), cell->vertex(3)->info()));
+  }
+
+  static Vertices increasing_vertices(Cell_handle cell)
+  {
+    Vertices v;
+    for (std::size_t i = 0; i != 4; ++i)
+      v[i] = cell->vertex(static_cast<int>(i))->info();
+    std::sort(v.begin(), v.end());
+    return v;
+  }
+
+  // `entries` is a buffer.
+  void sort_cells(std::size_t begin, std::size_t end, std::vector<Cell_handle>& handles,
+                  std::vector<std::pair<Vertices, Cell_handle> >& entries)
+  {
+    entries.clear();
+    for (std::size_t c = begin; c != end; ++c)
+      entries.emplace_back(m_cells[c].vertices, handles[c]);
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t c = begin; c != end; ++c)
+      std::tie(m_cells[c].vertices, handles[c]) = entries[c - begin];
+  }
+
+  // Exchanges the last two of the increasing vertices where that keeps the orientation.
+  static void set_neighbors(Cell& copy, Cell_handle cell)
+  {
+    std::array<int, 4> order; // which vertices of the cell those of the copy are
+    for (int i = 0; i != 4; ++i)
+      order[std::size_t(std::find(copy.vertices.begin(), copy.vertices.end(), cell->vertex(i)->info()) -
+                        copy.vertices.begin())] = i;
+    bool is_odd = false;
+    for (std::size_t i = 0; i != 4; ++i)
+      for (std::size_t j = i + 1; j != 4; ++j)
+        is_odd ^= order[i] > order[j];
+    if (is_odd) {
+      std::swap(copy.vertices[2], copy.vertices[3]);
+      std::swap(order[2], order[3]);
     }
-    for (std::size_t k = 0; k != m_points.size(); ++k)
-      next[k + 1] += next[k];
-    for (std::size_t c = 0; c != vertices.size(); ++c)
-      order[next[position(vertices[c][0])]++] = static_cast<Cell_index>(c);
-    const auto less = [&](Cell_index a, Cell_index b) {
-      const Vertices &v = vertices[a], &w = vertices[b];
-      if (v[1] != w[1])
-        return v[1] < w[1];
-      return std::minmax(v[2], v[3]) < std::minmax(w[2], w[3]);
-    };
-    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = next[k], ++k) {
-      std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(next[k]), less);
-      for (std::size_t c = begin; c != next[k]; ++c) {
-        cancellation_point();
-        ranks[order[c]] = static_cast<Cell_index>(c);
-      }
-    }
-    return ranks;
+    for (std::size_t i = 0; i != 4; ++i)
+      copy.neighbors[i] = cell->neighbor(order[i])->info();
   }
 
   std::vector<Point_index> m_points;    // increasing

@@ -15,24 +15,12 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
-// gcc cannot tell that the iterators in these headers are set before they are read.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -70,22 +58,6 @@ public:
   }
 
 private:
-  using Graph_traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
-  struct Node
-  {
-    boost::default_color_type color;
-    std::size_t distance;
-    Graph_traits::edge_descriptor predecessor;
-  };
-  // Rounded residuals would add up to flows that no arc can carry.
-  using Capacity = std::int64_t;
-  struct Arc
-  {
-    Capacity capacity, residual;
-    Graph_traits::edge_descriptor reverse;
-  };
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
-
   static constexpr std::uint32_t OUT = static_cast<std::uint32_t>(-1), IN = OUT - 1;
 
   // Rings of cells around a facet that are free to change: enough for the corner of a passage.
@@ -95,16 +67,6 @@ private:
   static constexpr double SMALLEST_COSINE = .3;
 
   static constexpr double VALUE_SHARE = .1;
-
-  // All capacities together are less than two to this power: no flow overflows.
-  static constexpr int CAPACITY_BITS = 62;
-
-  // Between two nodes, in both directions.
-  struct Connection
-  {
-    std::size_t from, to;
-    double capacity, reverse_capacity;
-  };
 
   bool faces_against_normals(Cell_index c, std::size_t i) const
   {
@@ -154,73 +116,44 @@ private:
         }
   }
 
-  // The energies of the region: a cell is connected to its neighbors and to the two labels.
-  std::vector<Connection> connections() const
+  // The cells of the region that the cut labels otherwise, by connected parts.
+  template <typename Cancellation_point>
+  std::vector<std::vector<Cell_index> > cut(Cancellation_point& cancellation_point)
   {
-    const std::size_t inside = m_region.size(), outside = inside + 1;
-    std::vector<Connection> result;
-    for (std::size_t k = 0; k != m_region.size(); ++k) {
+    const std::vector<unsigned char> is_inside = minimum_cut()(cancellation_point);
+    for (std::size_t k = 0; k != m_region.size(); ++k)
+      m_node_of[m_region[k]] = (is_inside[k] != 0) != m_labelling.label(m_region[k]) ? IN : OUT;
+    return connected_parts();
+  }
+
+  // Of the energies of the region: a cell pays for its label and for facets to cells that stay, two cells
+  // for the facet between them.
+  Minimum_cut minimum_cut() const
+  {
+    std::vector<Minimum_cut::Node_cost> nodes;
+    std::vector<Minimum_cut::Pair_cost> pairs;
+    nodes.reserve(m_region.size());
+    pairs.reserve(2 * m_region.size());
+    for (std::uint32_t k = 0; k != m_region.size(); ++k) {
       const Cell_index c = m_region[k];
-      double total_area = 0., to_inside = 0., to_outside = 0.;
+      double total_area = 0.;
+      Minimum_cut::Node_cost cost{ 0., 0. };
       for (std::size_t i = 0; i != 4; ++i) {
         const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
         const Cell_index n = m_cells[c].neighbors[i];
         total_area += energy.area;
         if (m_node_of[n] >= IN)
-          (m_labelling.label(n) ? to_inside : to_outside) +=
+          (m_labelling.label(n) ? cost.if_outside : cost.if_inside) +=
             m_labelling.label(n) ? energy.if_outside : energy.if_inside;
         else if (m_node_of[n] > k)
-          result.push_back(Connection{ k, m_node_of[n], energy.if_inside, energy.if_outside });
+          pairs.push_back(Minimum_cut::Pair_cost{ k, m_node_of[n], energy.if_inside, energy.if_outside });
       }
       const double preference = VALUE_SHARE * m_labelling.outside_preference(c, total_area);
-      result.push_back(Connection{ inside, k, to_inside + (std::max)(-preference, 0.), 0. });
-      result.push_back(Connection{ k, outside, to_outside + (std::max)(preference, 0.), 0. });
+      cost.if_outside += (std::max)(-preference, 0.);
+      cost.if_inside += (std::max)(preference, 0.);
+      nodes.push_back(cost);
     }
-    return result;
-  }
-
-  // With capacities in a unit that is a power of two, so that the scale of the points does not
-  // matter.
-  static void connect(Graph& graph, const std::vector<Connection>& connections)
-  {
-    double total = 0.;
-    for (const Connection& c : connections)
-      total += non_negative(c.capacity) + non_negative(c.reverse_capacity);
-    int exponent = 0;
-    std::frexp(total, &exponent);
-    const auto scaled = [&](double capacity) {
-      return static_cast<Capacity>(std::ldexp(non_negative(capacity), CAPACITY_BITS - exponent));
-    };
-    for (const Connection& c : connections) {
-      const auto arc = boost::add_edge(c.from, c.to, graph).first, reverse = boost::add_edge(c.to, c.from, graph).first;
-      graph[arc] = Arc{ scaled(c.capacity), 0, reverse };
-      graph[reverse] = Arc{ scaled(c.reverse_capacity), 0, arc };
-    }
-  }
-
-  // The energy of a facet along its normals is zero but for rounding.
-  static double non_negative(double energy) { return (std::max)(energy, 0.); }
-
-  // The cells of the region that the cut labels otherwise, by connected parts.
-  template <typename Cancellation_point>
-  std::vector<std::vector<Cell_index> > cut(Cancellation_point& cancellation_point)
-  {
-    const std::size_t inside = m_region.size(), outside = inside + 1;
-    Graph graph(m_region.size() + 2);
-    connect(graph, connections());
-    // The search asks for the index of every node that it comes to.
-    const auto index = boost::make_function_property_map<Graph_traits::vertex_descriptor>(
-      [&cancellation_point](Graph_traits::vertex_descriptor v) {
-        cancellation_point();
-        return v;
-      });
-    boost::boykov_kolmogorov_max_flow(graph, boost::get(&Arc::capacity, graph), boost::get(&Arc::residual, graph),
-                                      boost::get(&Arc::reverse, graph), boost::get(&Node::predecessor, graph),
-                                      boost::get(&Node::color, graph), boost::get(&Node::distance, graph), index,
-                                      inside, outside);
-    for (std::size_t k = 0; k != m_region.size(); ++k)
-      m_node_of[m_region[k]] = (graph[k].color == graph[inside].color) != m_labelling.label(m_region[k]) ? IN : OUT;
-    return connected_parts();
+    return Minimum_cut(nodes, pairs);
   }
 
   // Of the cells of the region that are IN, which become OUT.
