@@ -131,6 +131,22 @@ void test_without_normals()
   ISR_CHECK(canonical(with.triangles) == canonical(without.triangles));
 }
 
+// Normals that point inward turn the surface over, and change nothing else.
+void test_normals_inward()
+{
+  for (Solid& s : solids()) {
+    begin_case(s.sample.name + ", normals inward");
+    const Soup expected = checked_lis(s.points);
+    for (Oriented_point& p : s.points)
+      p.second = -p.second;
+    Soup turned = lis(s.points, oriented_maps());
+    ISR_CHECK(turned.points == expected.points);
+    for (Triple& t : turned.triangles)
+      std::swap(t[1], t[2]);
+    ISR_CHECK(canonical(turned.triangles) == canonical(expected.triangles));
+  }
+}
+
 void test_lengths_of_normals()
 {
   begin_case("normals of any length");
@@ -416,6 +432,7 @@ int main()
 {
   test_closed_surfaces();
   test_without_normals();
+  test_normals_inward();
   test_lengths_of_normals();
   test_bad_samples();
   test_rounded_areas();

@@ -26,6 +26,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/side_of_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_refinement.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/linear_implicit_weights.h>
@@ -82,8 +83,14 @@ public:
       if (cells.size() == 0) {
         connect_charts(surface);
       } else {
+        // The surface of samples whose normals point inward is that of the opposite normals, turned over.
+        const bool is_inside_out = do_normals_point_inward(cells, m_cloud.positions(), m_normals);
+        if (is_inside_out)
+          turn_normals();
         Oriented_labelling labelling = find_signs(cells);
         extract_surface(cells, labelling, surface);
+        if (is_inside_out)
+          turn_over(surface);
       }
     } catch (const Cancelled&) {
       return false;
@@ -131,6 +138,18 @@ private:
                                       [this](double fraction) { return m_progress.advance(fraction); });
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
+  }
+
+  void turn_normals()
+  {
+    for (Local_vector& n : m_normals)
+      n = -n;
+  }
+
+  static void turn_over(Lis_surface& surface)
+  {
+    for (Triangle& t : surface.triangles)
+      std::swap(t[1], t[2]);
   }
 
   Oriented_labelling find_signs(const Cell_complex& cells)
