@@ -47,7 +47,9 @@ surface.
 
 By default, the triangles form an oriented 2-manifold without boundary: two triangles meet at every edge, one fan
 of triangles at every vertex. They face outward, as the normals do, and do not cross each other, since
-they are Delaunay facets. By default, their vertices are points of the range. The vertices and
+they are Delaunay facets. Normals that point inward turn the surface over and change nothing else: all are taken to
+do so if those on the convex hull do, weighted by the area of its facets. By default, their vertices are points of
+the range. The vertices and
 triangles depend on the sequence of points and on the parameters, not on the number of threads; a
 permutation of the points only renames them.
 
@@ -88,7 +90,7 @@ both ranges are appended to
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
     \cgalParamDescription{a property map from the elements of `points` to normals of any length that
-      point outside}
+      all point outside, or all inside}
     \cgalParamType{a model of `ReadablePropertyMap` with value type `geom_traits::Vector_3`}
     \cgalParamDefault{none: the normals of a surface by `ctc_reconstruction()`}
   \cgalParamNEnd
