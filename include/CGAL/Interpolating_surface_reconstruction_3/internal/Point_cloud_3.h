@@ -169,10 +169,15 @@ private:
     return { std::ldexp(1., exponent / 2), std::ldexp(1., exponent - exponent / 2) };
   }
 
+  // Equal positions become adjacent: the order of the exact points alone may have another point between
+  // two that differ by less than a position can show.
   void sort()
   {
     const auto less_xyz = m_traits.less_xyz_3_object();
     const auto less = [&](Point_index i, Point_index j) {
+      for (int a = 0; a != 3; ++a)
+        if (m_positions[i][a] != m_positions[j][a])
+          return m_positions[i][a] < m_positions[j][a];
       if (less_xyz(m_points[i], m_points[j]))
         return true;
       return !less_xyz(m_points[j], m_points[i]) && i < j;
@@ -193,9 +198,9 @@ private:
     return result;
   }
 
-  // Equal points have equal keys, so that the sort has made them adjacent, first in the range first.
-  // Points that only their exact coordinates tell apart are merged, too: no star could tell them apart,
-  // and where they are many each would have all others as its nearest neighbors.
+  // The sort has made equal points adjacent, first in the range first. Points that only their exact
+  // coordinates tell apart are merged, too: no star could tell them apart, and where they are many each
+  // would have all others as its nearest neighbors.
   void merge_duplicates()
   {
     const auto equal = m_traits.equal_3_object();
