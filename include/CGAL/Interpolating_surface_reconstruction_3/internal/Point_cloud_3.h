@@ -61,7 +61,10 @@ public:
     set_local_coordinates();
     if (!go_further())
       return;
-    sort();
+    const std::vector<Point_index> order = sorted_order();
+    if (!go_further())
+      return;
+    permute(order);
     if (!go_further())
       return;
     merge_duplicates();
@@ -171,7 +174,7 @@ private:
 
   // Equal positions become adjacent: the order of the exact points alone may have another point between
   // two that differ by less than a position can show.
-  void sort()
+  std::vector<Point_index> sorted_order() const
   {
     const auto less_xyz = m_traits.less_xyz_3_object();
     const auto less = [&](Point_index i, Point_index j) {
@@ -182,7 +185,11 @@ private:
         return true;
       return !less_xyz(m_points[j], m_points[i]) && i < j;
     };
-    const std::vector<Point_index> order = Morton_sorter<decltype(less)>(m_positions, less)();
+    return Morton_sorter<decltype(less)>(m_positions, less)();
+  }
+
+  void permute(const std::vector<Point_index>& order)
+  {
     m_points = permuted(m_points, order);
     m_positions = permuted(m_positions, order);
     m_input_indices = permuted(m_input_indices, order);
