@@ -144,17 +144,17 @@ void cancel(Method method, const std::string& name, const Points& points, std::s
   std::vector<double> latencies;
   for (std::size_t run = 0; run != runs; ++run) {
     Poll_watch stopped_watch;
-    Clock::time_point stopped;
+    std::clock_t stopped = 0;
     std::thread other([&] {
       std::this_thread::sleep_for(std::chrono::duration<double>(seconds * (double(run) + .5) / double(runs)));
-      stopped = Clock::now();
+      stopped = std::clock();
       stopped_watch.is_stopped = true;
     });
     const std::size_t triangles = method(points, stopped_watch);
-    const Clock::time_point returned = Clock::now();
+    const std::clock_t returned = std::clock();
     other.join();
     if (triangles == 0 && returned > stopped)
-      latencies.push_back(std::chrono::duration<double>(returned - stopped).count());
+      latencies.push_back(double(returned - stopped) / double(CLOCKS_PER_SEC));
   }
   std::sort(latencies.begin(), latencies.end());
   std::cout << std::left << std::setw(28) << name << std::right << std::fixed << std::setprecision(0) << std::setw(10)

@@ -206,10 +206,11 @@ bool lis_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
 {
   using Mesh = Surface_mesh<Point>;
   using Vertex = typename Mesh::Vertex_index;
-  return Interpolating_surface_reconstruction_3::internal::reconstruct_lis<ConcurrencyTag>(
+  // not yet `mesh`: the visitor is called once more when the surface has been written, and may throw
+  Mesh result;
+  const bool is_complete = Interpolating_surface_reconstruction_3::internal::reconstruct_lis<ConcurrencyTag>(
     points,
     [&](const auto& cloud, const auto& surface) {
-      Mesh result;
       auto input_index = result.template add_property_map<Vertex, std::size_t>("v:input_index", 0).first;
       Interpolating_surface_reconstruction_3::internal::write_surface(
         cloud, surface, [&](const auto& point, std::size_t index) { input_index[result.add_vertex(point)] = index; },
@@ -218,9 +219,11 @@ bool lis_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
           result.add_face(Vertex(static_cast<Size>(t[0])), Vertex(static_cast<Size>(t[1])),
                           Vertex(static_cast<Size>(t[2])));
         });
-      mesh = std::move(result);
     },
     np);
+  if (is_complete)
+    mesh = std::move(result);
+  return is_complete;
 }
 
 } // namespace CGAL

@@ -16,6 +16,7 @@
 #include "isr_test_hostile.h"
 
 #include <cstdlib>
+#include <map>
 
 using namespace isr_test;
 
@@ -38,6 +39,31 @@ void test_few_points(Algorithm algorithm)
       points.emplace_back(x, y, z);
     }
     checked_triangles(algorithm, points);
+  }
+}
+
+// Few points of a small lattice have all ties there are: equal, collinear, coplanar, cocircular,
+// cospherical. Their order does not matter.
+template <typename Algorithm>
+void test_small_lattices(Algorithm algorithm, std::size_t number_of_sets)
+{
+  begin_case(algorithm.name() + ": few points of a lattice");
+  Random random(7);
+  for (std::size_t set = 0; set != number_of_sets; ++set) {
+    const std::size_t size = 3 + random.below(7), side = 3 + random.below(2);
+    Points points;
+    while (points.size() != size) {
+      const double x = double(random.below(side)), y = double(random.below(side)), z = double(random.below(side));
+      points.emplace_back(x, y, z);
+    }
+    const std::map<Point, std::size_t> positions = positions_of_finite(points);
+    const auto triangles_by_position = [&](const Points& range) {
+      std::vector<std::size_t> labels;
+      for (const Point& p : range)
+        labels.push_back(positions.at(p));
+      return canonical(relabeled(checked_triangles(algorithm, range), labels));
+    };
+    ISR_CHECK(triangles_by_position(points) == triangles_by_position(permuted(points, random_order(size, set))));
   }
 }
 
@@ -85,6 +111,7 @@ int main(int argc, char** argv)
   const auto test = [&](auto algorithm) {
     test_few_points(algorithm);
     test_few_dimensions(algorithm);
+    test_small_lattices(algorithm, 4 * n);
     test_corpus(algorithm, n, seeds);
   };
   for_each_algorithm(argc, argv, test);

@@ -263,6 +263,21 @@ void test_points_that_coincide_in_double()
   assert(cloud.size() == 2 && cloud.number_of_duplicates() == 99);
 }
 
+// Points of two places that scaling makes equal, in an order by x that goes back and forth between them.
+void test_points_that_coincide_after_scaling()
+{
+  std::vector<Point_3> points = { Point_3(1e300, 0, 0), Point_3(0, 1e300, 0) };
+  for (int i = 0; i != 20; ++i) // not more than an octree leaf holds, or the curve tells the places apart
+    points.emplace_back(i * 1e-320, i % 2 == 0 ? 0. : 1e20, i % 3 * 1e-310);
+  const Cloud cloud = cloud_of(points);
+  assert(cloud.size() == 4 && cloud.number_of_duplicates() == 18);
+  std::reverse(points.begin(), points.end());
+  const Cloud reversed = cloud_of(points);
+  assert(reversed.size() == 4 && reversed.number_of_duplicates() == 18);
+  for (Point_index i = 0; i != cloud.size(); ++i)
+    assert(reversed.point(i) == cloud.point(i));
+}
+
 void test_other_ranges_and_kernels()
 {
   using Single = CGAL::Simple_cartesian<float>;
@@ -288,6 +303,7 @@ int main()
   test_power_of_two();
   test_exact_kernel();
   test_points_that_coincide_in_double();
+  test_points_that_coincide_after_scaling();
   test_other_ranges_and_kernels();
   std::cout << "done" << std::endl;
   return 0;

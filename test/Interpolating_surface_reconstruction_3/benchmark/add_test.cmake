@@ -18,6 +18,7 @@ if(TARGET isr_tables)
     add_test(NAME isr_tables_quick
       COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_isr_tables.sh ${CGAL_ISR_PYTHON} $<TARGET_FILE:isr_tables>
         ${PROJECT_BINARY_DIR}/tables_test)
+    set_tests_properties(isr_tables_quick PROPERTIES COST 150) # seconds, see the tests
   else()
     message(STATUS "NOTICE: /usr/bin/python3 with matplotlib was not found. The benchmark is not run as a test.")
   endif()

@@ -61,7 +61,10 @@ public:
     set_local_coordinates();
     if (!go_further())
       return;
-    sort();
+    const std::vector<Point_index> order = sorted_order();
+    if (!go_further())
+      return;
+    permute(order);
     if (!go_further())
       return;
     merge_duplicates();
@@ -169,15 +172,24 @@ private:
     return { std::ldexp(1., exponent / 2), std::ldexp(1., exponent - exponent / 2) };
   }
 
-  void sort()
+  // Equal positions become adjacent: the order of the exact points alone may have another point between
+  // two that differ by less than a position can show.
+  std::vector<Point_index> sorted_order() const
   {
     const auto less_xyz = m_traits.less_xyz_3_object();
     const auto less = [&](Point_index i, Point_index j) {
+      for (int a = 0; a != 3; ++a)
+        if (m_positions[i][a] != m_positions[j][a])
+          return m_positions[i][a] < m_positions[j][a];
       if (less_xyz(m_points[i], m_points[j]))
         return true;
       return !less_xyz(m_points[j], m_points[i]) && i < j;
     };
-    const std::vector<Point_index> order = Morton_sorter<decltype(less)>(m_positions, less)();
+    return Morton_sorter<decltype(less)>(m_positions, less)();
+  }
+
+  void permute(const std::vector<Point_index>& order)
+  {
     m_points = permuted(m_points, order);
     m_positions = permuted(m_positions, order);
     m_input_indices = permuted(m_input_indices, order);
@@ -193,9 +205,9 @@ private:
     return result;
   }
 
-  // Equal points have equal keys, so that the sort has made them adjacent, first in the range first.
-  // Points that only their exact coordinates tell apart are merged, too: no star could tell them apart,
-  // and where they are many each would have all others as its nearest neighbors.
+  // The sort has made equal points adjacent, first in the range first. Points that only their exact
+  // coordinates tell apart are merged, too: no star could tell them apart, and where they are many each
+  // would have all others as its nearest neighbors.
   void merge_duplicates()
   {
     const auto equal = m_traits.equal_3_object();

@@ -89,7 +89,8 @@ private:
   // A random sample has 7 cells a point.
   static constexpr std::size_t MAXIMUM_CELLS_PER_POINT = 50, POINTS_OF_FIRST_ROUND = 500;
 
-  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 16;
+  // A few, but hundreds where many points are cospherical.
+  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 64;
 
   // Not less than the 128 facets of what CGAL takes for a small hole.
   static constexpr std::size_t CELLS_OF_SMALL_HOLE = 256;

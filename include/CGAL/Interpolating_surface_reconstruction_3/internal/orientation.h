@@ -69,7 +69,8 @@ public:
       facing.sum += volume;
       facing.error += ROUNDING * std::sqrt(u.squared_length() * v.squared_length() * w.squared_length());
     });
-    decide_exactly(go_further);
+    if (go_further())
+      decide_exactly(go_further);
   }
 
   void face_outward()
