@@ -216,7 +216,8 @@ void test_cost_of_change()
     s.fill();
     const std::vector<double> costs = costs_of_defects(s);
     Bending_energy<Labels> bending(
-      s.cells, s.positions, s.labels, [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; });
+      s.cells, s.positions, s.labels, [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; },
+      No_cancellation());
     Random random(seed);
     int changes_of_defects = 0;
     double before = energy(s, costs);
@@ -244,7 +245,7 @@ void search(Sample& s, std::size_t& effort, const IsFree& is_free)
 {
   Label_search<Labels>(
     s.cells, s.positions, s.labels, is_free, is_free, [](Cell_index, std::size_t) { return false; },
-    [](Point_index) { return true; })(effort, No_cancellation());
+    [](Point_index) { return true; }, No_cancellation())(effort, No_cancellation());
 }
 
 // A tunnel through a ball is closed, though no single change closes it.

@@ -41,18 +41,21 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   // Only points with `is_in_scope(p)` must be manifold. From now on, all labels change by change().
-  template <typename IsAgreed, typename IsInScope>
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename IsAgreed, typename IsInScope, typename Cancellation_point>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-                 const IsAgreed& is_agreed, const IsInScope& is_in_scope)
+                 const IsAgreed& is_agreed, const IsInScope& is_in_scope, Cancellation_point&& cancellation_point)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
       m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), NOT_COUNTED),
       m_agreed(cells.size(), 0)
   {
-    for (Cell_index c = 0; c != cells.size(); ++c)
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
       for (std::size_t i = 0; i != 4; ++i)
         if (is_agreed(c, i))
           m_agreed[c] = static_cast<unsigned char>(m_agreed[c] | (1u << i));
-    find_defect_costs(is_in_scope);
+    }
+    find_defect_costs(is_in_scope, cancellation_point);
   }
 
   // Whether the energy around the finite cell can be told: no vertex is a hub, a point of very many cells.
@@ -150,15 +153,17 @@ private:
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
   // After the mean length of the edges of the surface at a point, or of all edges if it is off the surface.
-  template <typename IsInScope>
-  void find_defect_costs(const IsInScope& is_in_scope)
+  template <typename IsInScope, typename Cancellation_point>
+  void find_defect_costs(const IsInScope& is_in_scope, Cancellation_point& cancellation_point)
   {
     std::vector<std::uint32_t> edges(m_defect_costs.size(), 0), edges_of_surface(m_defect_costs.size(), 0);
     for (const bool is_surface : { true, false }) {
-      for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (Cell_index c = 0; c != m_cells.size(); ++c) {
+        cancellation_point();
         for (std::size_t i = 0; i != 4; ++i)
           if (m_cells[c].neighbors[i] > c && (!is_surface || m_labelling.is_surface(c, i)))
             add_edges(Cell_complex::facet(m_cells[c], i), edges_of_surface, edges);
+      }
       edges_of_surface = edges;
     }
     for (std::size_t v = 0; v != m_defect_costs.size(); ++v)

@@ -40,16 +40,21 @@ public:
 
   // Only cells with `is_free(c)` change, and chains start from those with `is_seed(c)`, or where one has changed
   // something. Only points with `is_in_scope(p)` must be manifold. Facets with `is_agreed(c, i)` are worth keeping.
-  template <typename IsFree, typename IsSeed, typename IsAgreed, typename IsInScope>
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename IsFree, typename IsSeed, typename IsAgreed, typename IsInScope, typename Cancellation_point>
   Label_search(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-               const IsFree& is_free, const IsSeed& is_seed, const IsAgreed& is_agreed, const IsInScope& is_in_scope)
-    : m_cells(cells), m_labelling(labelling), m_energy(cells, points, labelling, is_agreed, is_in_scope),
+               const IsFree& is_free, const IsSeed& is_seed, const IsAgreed& is_agreed, const IsInScope& is_in_scope,
+               Cancellation_point&& cancellation_point)
+    : m_cells(cells), m_labelling(labelling),
+      m_energy(cells, points, labelling, is_agreed, is_in_scope, cancellation_point),
       m_has_small_part(cells, labelling, m_energy.stars()), m_state(cells.size(), State::FIXED),
       m_chain_of(cells.size(), 0)
   {
-    for (Cell_index c = 0; c != cells.size(); ++c)
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
       if (!Cell_complex::is_infinite(cells[c]) && is_free(c) && m_energy.has_no_hub(c))
         m_state[c] = is_seed(c) ? State::AWAKE : State::ASLEEP;
+    }
   }
 
   // Ends at the latest when `effort` changes have been tried, and takes those tried from it.

@@ -159,7 +159,7 @@ private:
         return std::any_of(vertices.begin(), vertices.end(),
                            [&](Point_index p) { return p != NO_POINT && is_conflict(p); });
       },
-      [&](Cell_index c, std::size_t i) { return m_knowledge.is_on_surface(c, i); }, is_in_scope);
+      [&](Cell_index c, std::size_t i) { return m_knowledge.is_on_surface(c, i); }, is_in_scope, cancellation_point);
     search(m_search_effort, cancellation_point);
     return labelling;
   }
