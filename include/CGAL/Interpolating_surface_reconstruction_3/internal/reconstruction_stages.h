@@ -21,6 +21,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
@@ -121,6 +122,7 @@ public:
   {
     m_progress.begin_stage(Stage::HOLES, share);
     std::size_t attached = 0;
+    const auto first_late = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
     const auto is_boundary = [&](const Boundary_loop& loop) {
       return m_options.keep_boundaries && are_most_stars_open(builder, loop);
@@ -132,7 +134,10 @@ public:
     Island_removal<Builder> remove_islands(builder);
     remove_islands();
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
-    const std::size_t unused = insert(m_progress);
+    std::size_t unused = insert(m_progress);
+    Crossing_removal<ConcurrencyTag, Builder> remove_crossings(m_cloud.positions(), m_normals, builder);
+    if (remove_crossings(first_late, m_progress))
+      unused = insert(m_progress);
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);

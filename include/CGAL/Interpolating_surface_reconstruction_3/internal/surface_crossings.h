@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_CROSSINGS_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_CROSSINGS_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Finds where triangles that were attached late cross the surface: those between stars that agree and
+// those of a labelling do not cross each other.
+template <typename Builder>
+class Surface_crossings
+{
+public:
+  using Triangle_index = typename Builder::Triangle_index;
+
+  // Two points of triangles that cross, the smaller one first.
+  using Crossing = std::pair<Point_index, Point_index>;
+
+  Surface_crossings(const std::vector<Local_point>& points, const Builder& builder)
+    : m_points(points), m_builder(builder)
+  { }
+
+  // Crossings of the triangles stored from `first` on with any others, sorted. Where the boxes of very many pairs
+  // meet, as of thin triangles, each of the former triangles counts as one that crosses itself.
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename CancellationPoint>
+  std::vector<Crossing> operator()(Triangle_index first, CancellationPoint& cancellation_point)
+  {
+    m_late.clear();
+    m_crossings.clear();
+    for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
+      if (!m_builder.is_removed(t))
+        add_box(m_builder.triangle(t), m_late);
+    m_pairs_left = PAIRS_PER_POINT * m_points.size();
+    if (!m_late.empty())
+      cross_with_surface(cancellation_point);
+    std::sort(m_crossings.begin(), m_crossings.end());
+    m_crossings.erase(std::unique(m_crossings.begin(), m_crossings.end()), m_crossings.end());
+    return std::move(m_crossings);
+  }
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Triangle = typename Builder::Triangle;
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, Triangle>;
+
+  struct Too_many_pairs
+  { };
+
+  // Well-shaped triangles have about ten.
+  static constexpr std::size_t PAIRS_PER_POINT = 64;
+
+  // Triangles of the surface that are looked at together, if the late ones are not more.
+  static constexpr std::size_t BLOCK_SIZE = 1 << 15;
+
+  template <typename CancellationPoint>
+  void cross_with_surface(CancellationPoint& cancellation_point)
+  {
+    const std::size_t block_size = (std::max)(BLOCK_SIZE, m_late.size());
+    std::vector<Box> block;
+    block.reserve(block_size);
+    try {
+      m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
+        add_box(t, block);
+        if (block.size() == block_size)
+          cross_with(block, cancellation_point);
+      });
+      cross_with(block, cancellation_point);
+    } catch (const Too_many_pairs&) {
+      m_crossings.clear();
+      for (const Box& box : m_late)
+        m_crossings.emplace_back(box.info()[0], box.info()[0]);
+    }
+  }
+
+  template <typename CancellationPoint>
+  void cross_with(std::vector<Box>& block, CancellationPoint& cancellation_point)
+  {
+    std::vector<Box> late(m_late); // gets into another order
+    box_intersection_d(late.begin(), late.end(), block.begin(), block.end(), [&](const Box& a, const Box& b) {
+      cancellation_point();
+      if (m_pairs_left-- == 0)
+        throw Too_many_pairs();
+      if (is_same(a.info(), b.info()) || !do_triangles_cross(a.info(), b.info(), [&](Point_index p) {
+            return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
+          }))
+        return;
+      m_crossings.push_back(std::minmax(a.info()[0], b.info()[0]));
+    });
+    block.clear();
+  }
+
+  static bool is_same(Triangle s, Triangle t)
+  {
+    std::sort(s.begin(), s.end());
+    std::sort(t.begin(), t.end());
+    return s == t;
+  }
+
+  void add_box(const Triangle& t, std::vector<Box>& boxes) const
+  {
+    boxes.emplace_back(m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(), t);
+  }
+
+  const std::vector<Local_point>& m_points;
+  const Builder& m_builder;
+  std::vector<Box> m_late;
+  std::vector<Crossing> m_crossings;
+  std::size_t m_pairs_left = 0;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_CROSSINGS_H
