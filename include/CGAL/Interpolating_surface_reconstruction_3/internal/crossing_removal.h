@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
@@ -27,6 +28,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,8 +37,10 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Replaces closed components that cross themselves or each other by the linear implicit surface of their
-// normals (thesis 5.2), bent as little as possible: it consists of Delaunay facets, which do not cross.
+// Replaces closed components that cross themselves or each other, as holes can make them that are closed without
+// regard to what is near. Delaunay facets do not cross: the cells of the points of a component are labelled by the side
+// of the surface on which they are and, around crossings, by the linear implicit function of its normals
+// (thesis 5.2); then the surface between the labels is bent as little as possible there.
 template <typename ConcurrencyTag, typename Builder>
 class Crossing_removal
 {
@@ -48,17 +52,21 @@ public:
     : m_points(points), m_given_normals(normals), m_builder(builder)
   { }
 
-  // Only triangles stored from `first` on may cross others. Returns whether the surface has changed. Ends early if
-  // cancelled.
+  // Only triangles stored from `first` on may cross others. Returns whether the surface has changed. Points may be
+  // left out. Ends early if cancelled.
   template <typename Progress>
   bool operator()(typename Builder::Triangle_index first, Progress& progress)
   {
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      find_crossings(first, cancellation_point);
-      for (const auto& crossing : m_crossings)
-        if (collect_component(crossing.first) && is_closed())
+      if (!find_crossings(first, cancellation_point))
+        return false;
+      find_normals(progress);
+      find_doubts(cancellation_point);
+      m_is_visited.assign(m_points.size(), 0);
+      for (const Crossing& crossing : m_crossings)
+        if (collect_component(crossing.first, cancellation_point) && is_closed())
           is_changed = replace(reconstruct(progress, cancellation_point), cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
@@ -66,56 +74,91 @@ public:
   }
 
 private:
+  using Crossing = typename Surface_crossings<Builder>::Crossing;
   using Triangles = std::vector<Triangle>;
+
+  // Triangles around those that cross which may be wrong, too.
+  static constexpr int RINGS_IN_DOUBT = 2;
+
+  // A surface of so many times the area has sheets where there was none.
+  static constexpr double MAXIMUM_GROWTH = 2.;
+
+  // As a value of the function, which is in units of the distance to the samples.
+  static constexpr float CERTAIN = 100.f;
 
   // Changes of labels that the search may try: enough for a few thousand points, and some for every point where
   // there are more.
   static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 10;
 
-  // From either side.
+  // From either side; false if there are none.
   template <typename CancellationPoint>
-  void find_crossings(typename Builder::Triangle_index first, CancellationPoint& cancellation_point)
+  bool find_crossings(typename Builder::Triangle_index first, CancellationPoint& cancellation_point)
   {
     m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, cancellation_point);
-    const std::size_t n = m_crossings.size();
-    for (std::size_t i = 0; i != n; ++i)
+    for (std::size_t i = 0, n = m_crossings.size(); i != n; ++i)
       m_crossings.emplace_back(m_crossings[i].second, m_crossings[i].first);
     std::sort(m_crossings.begin(), m_crossings.end());
-    if (n == 0)
-      return;
-    m_is_visited.assign(m_points.size(), 0);
-    find_normals();
+    return !m_crossings.empty();
   }
 
-  void find_normals()
+  // Also the triangles, oriented.
+  template <typename Progress>
+  void find_normals(Progress& progress)
   {
     Surface_orientation<Builder> orientation(m_points, m_builder);
     if (m_given_normals.empty())
-      orientation.face_outward();
+      orientation.face_outward([&] { return progress.advance(0.); });
     else
       orientation.align_with_normals([&](Point_index p) { return m_given_normals[p]; });
-    Triangles triangles;
-    orientation.for_each_oriented_triangle([&](const Triangle& t) { triangles.push_back(t); });
-    m_normals = vertex_normals(m_points, triangles);
+    m_triangles.clear();
+    orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
+    m_normals = vertex_normals(m_points, m_triangles);
   }
 
-  // The points of the components around p and of those that cross these; false if that has been done.
-  bool collect_component(Point_index p)
+  template <typename CancellationPoint>
+  void find_doubts(CancellationPoint& cancellation_point)
+  {
+    m_is_in_doubt.assign(m_points.size(), 0);
+    std::vector<Point_index> doubts;
+    const auto doubt = [&](Point_index p) {
+      if (!m_is_in_doubt[p]) {
+        m_is_in_doubt[p] = 1;
+        doubts.push_back(p);
+      }
+    };
+    for (const Crossing& crossing : m_crossings)
+      doubt(crossing.first);
+    std::size_t begin = 0;
+    for (int ring = 0; ring != RINGS_IN_DOUBT; ++ring)
+      for (const std::size_t end = doubts.size(); begin != end; ++begin) {
+        cancellation_point();
+        m_builder.for_each_triangle_at(doubts[begin], [&](const Triangle& t) {
+          for (Point_index p : t)
+            doubt(p);
+        });
+      }
+  }
+
+  // The points of the component around p and of those that cross it; false if that has been done.
+  template <typename CancellationPoint>
+  bool collect_component(Point_index p, CancellationPoint& cancellation_point)
   {
     if (m_is_visited[p])
       return false;
     m_component.clear();
     visit(p);
     for (std::size_t i = 0; i != m_component.size(); ++i) {
-      m_builder.for_each_triangle_at(m_component[i], [&](const Triangle& t) {
-        for (Point_index q : t)
-          visit(q);
+      cancellation_point();
+      const Point_index q = m_component[i];
+      m_builder.for_each_triangle_at(q, [&](const Triangle& t) {
+        for (Point_index r : t)
+          visit(r);
       });
-      for (auto it = std::lower_bound(m_crossings.begin(), m_crossings.end(),
-                                      typename Surface_crossings<Builder>::Crossing(m_component[i], 0));
-           it != m_crossings.end() && it->first == m_component[i]; ++it)
+      for (auto it = std::lower_bound(m_crossings.begin(), m_crossings.end(), Crossing(q, 0));
+           it != m_crossings.end() && it->first == q; ++it)
         visit(it->second);
     }
+    std::sort(m_component.begin(), m_component.end());
     return true;
   }
 
@@ -129,33 +172,65 @@ private:
 
   bool is_closed() const
   {
-    return std::none_of(m_component.begin(), m_component.end(),
-                        [&](Point_index p) { return m_builder.is_open(p) && m_builder.number_of_boundary_edges(p) != 0; });
+    return std::none_of(m_component.begin(), m_component.end(), [&](Point_index p) {
+      return m_builder.is_open(p) && m_builder.number_of_boundary_edges(p) != 0;
+    });
   }
 
-  // A surface through the points of the component, empty if there is none.
+  // A surface through the points of the component, empty if there is none that is not much larger.
   template <typename Progress, typename CancellationPoint>
   Triangles reconstruct(Progress& progress, CancellationPoint& cancellation_point)
   {
     const Cell_complex cells(m_points, m_component, cancellation_point);
     if (cells.size() == 0)
       return Triangles();
-    const Cell_signs signs(cells, m_points, m_normals);
-    Oriented_labelling labelling(cells, m_points, m_normals,
-                                 signs.template compute<ConcurrencyTag>([&] { return progress.advance(0.); }));
-    relax_labels(cells, labelling, cancellation_point);
+    Triangles old;
+    std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
+                 [&](const Triangle& t) { return std::binary_search(m_component.begin(), m_component.end(), t[0]); });
+    const double old_area = area(old);
+    Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
     make_manifold(cells, labelling, cancellation_point);
     bend_less(cells, labelling, cancellation_point);
     make_manifold(cells, labelling, cancellation_point);
-    return facets_between_labels(cells, labelling, cancellation_point);
+    Triangles result = facets_between_labels(cells, labelling, cancellation_point);
+    return area(result) > MAXIMUM_GROWTH * old_area ? Triangles() : result;
+  }
+
+  double area(const Triangles& triangles) const
+  {
+    double result = 0.;
+    for (const Triangle& t : triangles)
+      result +=
+        std::sqrt(cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]).squared_length()) / 2;
+    return result;
+  }
+
+  template <typename Progress, typename CancellationPoint>
+  Oriented_labelling label(const Cell_complex& cells, Triangles triangles, Progress& progress,
+                           CancellationPoint& cancellation_point)
+  {
+    using Side = Surface_sides::Side;
+    const Cell_signs signs(cells, m_points, m_normals);
+    std::vector<float> values = signs.template compute<ConcurrencyTag>([&] { return progress.advance(0.); });
+    const Surface_sides sides(cells, std::move(triangles), m_is_in_doubt, cancellation_point);
+    for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
+      if (sides[c] != Side::UNKNOWN && !Cell_complex::is_infinite(cells[c]))
+        values[c] = sides[c] == Side::INSIDE ? -CERTAIN : CERTAIN;
+    Oriented_labelling labelling(cells, m_points, m_normals, std::move(values));
+    relax_labels(cells, labelling, cancellation_point);
+    return labelling;
   }
 
   template <typename CancellationPoint>
   void bend_less(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
   {
-    const auto always = [](auto...) { return true; };
+    const auto is_in_doubt = [&](Cell_complex::Cell_index c) {
+      const auto& vertices = cells[c].vertices;
+      return std::any_of(vertices.begin(), vertices.end(), [&](Point_index p) { return m_is_in_doubt[p] != 0; });
+    };
     Label_search<Oriented_labelling> search(
-      cells, m_points, labelling, always, always, [](auto...) { return false; }, always, cancellation_point);
+      cells, m_points, labelling, is_in_doubt, is_in_doubt, [](auto...) { return false; }, [](auto) { return true; },
+      cancellation_point);
     std::size_t effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_component.size();
     search(effort, cancellation_point);
   }
@@ -194,10 +269,11 @@ private:
   const std::vector<Local_point>& m_points;
   const std::vector<Local_vector>& m_given_normals;
   Builder& m_builder;
-  std::vector<typename Surface_crossings<Builder>::Crossing> m_crossings; // from either side, sorted
+  std::vector<Crossing> m_crossings; // from either side, sorted
+  Triangles m_triangles;             // of the surface as it was, oriented
   std::vector<Local_vector> m_normals;
-  std::vector<unsigned char> m_is_visited; // of each point
-  std::vector<Point_index> m_component;
+  std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point
+  std::vector<Point_index> m_component;                   // the current one, increasing
 };
 
 } // namespace internal

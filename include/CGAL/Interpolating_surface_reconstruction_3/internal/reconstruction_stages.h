@@ -135,12 +135,27 @@ public:
     remove_islands();
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
     std::size_t unused = insert(m_progress);
-    Crossing_removal<ConcurrencyTag, Builder> remove_crossings(m_cloud.positions(), m_normals, builder);
-    if (remove_crossings(first_late, m_progress))
-      unused = insert(m_progress);
+    unused = remove_crossings(first_late, builder, insert, unused);
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);
+  }
+
+  // Removes crossings of the triangles stored from `first` on. Points that this leaves out may cross the surface when
+  // they are inserted again. Returns the number of unused points, which was `unused`.
+  std::size_t remove_crossings(typename Builder::Triangle_index first, Builder& builder,
+                               Point_insertion<Builder>& insert, std::size_t unused)
+  {
+    constexpr int MAXIMUM_PASSES = 3;
+    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder);
+    for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
+      const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
+      if (!remove(first, m_progress))
+        break;
+      unused = insert(m_progress);
+      first = next;
+    }
+    return unused;
   }
 
   template <typename Output>

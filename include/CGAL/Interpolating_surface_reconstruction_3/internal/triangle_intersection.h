@@ -42,9 +42,7 @@ bool do_triangles_cross(const std::array<Index, 3>& s, const std::array<Index, 3
         sum_i += i = a;
         sum_j += j = b;
       }
-  const auto triangle = [&](const std::array<Index, 3>& u) {
-    return Triangle(point(u[0]), point(u[1]), point(u[2]));
-  };
+  const auto triangle = [&](const std::array<Index, 3>& u) { return Triangle(point(u[0]), point(u[1]), point(u[2])); };
   const auto opposite_edge = [&](const std::array<Index, 3>& u, std::size_t k) {
     return Segment(point(u[(k + 1) % 3]), point(u[(k + 2) % 3]));
   };

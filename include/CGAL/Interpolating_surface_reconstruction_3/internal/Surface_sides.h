@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_SIDES_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_SIDES_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// On which side of an oriented surface the cells of a Delaunay triangulation of its points are, apart from parts of
+// the surface that are in doubt.
+class Surface_sides
+{
+public:
+  using Cell_index = Cell_complex::Cell_index;
+  using Triangle = std::array<Point_index, 3>;
+
+  enum class Side : unsigned char
+  {
+    UNKNOWN,
+    INSIDE,
+    OUTSIDE
+  };
+
+  // `is_in_doubt` of each point; it becomes 1 at triangles that are no facets. `cancellation_point()` is called again
+  // and again and may throw.
+  template <typename CancellationPoint>
+  Surface_sides(const Cell_complex& cells, std::vector<Triangle> triangles, std::vector<unsigned char>& is_in_doubt,
+                CancellationPoint& cancellation_point)
+    : m_cells(cells), m_triangles(std::move(triangles)), m_sides(cells.size(), Side::UNKNOWN)
+  {
+    for (Triangle& t : m_triangles)
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(m_triangles.begin(), m_triangles.end());
+    doubt_other_triangles(is_in_doubt, cancellation_point);
+    find_sides(is_in_doubt, cancellation_point);
+  }
+
+  Side operator[](Cell_index c) const { return m_sides[c]; }
+
+private:
+  static bool has_doubt(const Cell_complex::Cell& cell, const std::vector<unsigned char>& is_in_doubt)
+  {
+    return std::any_of(cell.vertices.begin(), cell.vertices.end(),
+                       [&](Point_index p) { return p != NO_POINT && is_in_doubt[p] != 0; });
+  }
+
+  // The side of the triangle on which the cell with the facet lies, if there is the triangle.
+  Side side_of(Cell_index c, std::size_t i) const
+  {
+    Triangle f = Cell_complex::facet(m_cells[c], i);
+    if (Cell_complex::is_infinite(f))
+      return Side::UNKNOWN;
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+    if (std::binary_search(m_triangles.begin(), m_triangles.end(), f))
+      return i % 2 == 0 ? Side::INSIDE : Side::OUTSIDE;
+    std::swap(f[1], f[2]);
+    if (std::binary_search(m_triangles.begin(), m_triangles.end(), f))
+      return i % 2 == 0 ? Side::OUTSIDE : Side::INSIDE;
+    return Side::UNKNOWN;
+  }
+
+  template <typename CancellationPoint>
+  void doubt_other_triangles(std::vector<unsigned char>& is_in_doubt, CancellationPoint& cancellation_point) const
+  {
+    std::vector<unsigned char> is_facet(m_triangles.size(), 0);
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        Triangle f = Cell_complex::facet(m_cells[c], i);
+        std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+        for (int turn = 0; turn != 2; ++turn, std::swap(f[1], f[2])) {
+          const auto it = std::lower_bound(m_triangles.begin(), m_triangles.end(), f);
+          if (it != m_triangles.end() && *it == f)
+            is_facet[std::size_t(it - m_triangles.begin())] = 1;
+        }
+      }
+    for (std::size_t t = 0; t != m_triangles.size(); ++t)
+      if (!is_facet[t])
+        for (Point_index p : m_triangles[t])
+          is_in_doubt[p] = 1;
+  }
+
+  // Cells at triangles first, then their neighbors across facets that are none.
+  template <typename CancellationPoint>
+  void find_sides(const std::vector<unsigned char>& is_in_doubt, CancellationPoint& cancellation_point)
+  {
+    std::vector<Cell_index> reached;
+    for (Cell_index c = 0; c != m_cells.size(); ++c) {
+      cancellation_point();
+      if (has_doubt(m_cells[c], is_in_doubt))
+        continue;
+      for (std::size_t i = 0; i != 4 && m_sides[c] == Side::UNKNOWN; ++i)
+        m_sides[c] = side_of(c, i);
+      if (m_sides[c] != Side::UNKNOWN)
+        reached.push_back(c);
+    }
+    for (std::size_t k = 0; k != reached.size(); ++k) {
+      cancellation_point();
+      for (Cell_index n : m_cells[reached[k]].neighbors)
+        if (m_sides[n] == Side::UNKNOWN && !has_doubt(m_cells[n], is_in_doubt)) {
+          m_sides[n] = m_sides[reached[k]];
+          reached.push_back(n);
+        }
+    }
+  }
+
+  const Cell_complex& m_cells;
+  std::vector<Triangle> m_triangles; // each from its smallest point on, sorted
+  std::vector<Side> m_sides;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_SIDES_H
