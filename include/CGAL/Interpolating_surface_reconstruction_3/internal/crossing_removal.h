@@ -66,8 +66,11 @@ public:
       find_doubts(cancellation_point);
       m_is_visited.assign(m_points.size(), 0);
       for (const Crossing& crossing : m_crossings)
-        if (collect_component(crossing.first, cancellation_point) && is_closed())
+        if (collect_component(crossing.first, cancellation_point) && m_component.size() <= m_points_left &&
+            is_closed()) {
+          m_points_left -= m_component.size();
           is_changed = replace(reconstruct(progress, cancellation_point), cancellation_point) || is_changed;
+        }
     } catch (const Cancelled&) {
     }
     return is_changed;
@@ -85,6 +88,10 @@ private:
 
   // As a value of the function, which is in units of the distance to the samples.
   static constexpr float CERTAIN = 100.f;
+
+  // Of the components that are replaced in all, so that this takes no more than a second. Scans of more points are noisy
+  // wherever they cross themselves.
+  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
 
   // Changes of labels that the search may try: enough for a few thousand points, and some for every point where
   // there are more.
@@ -272,6 +279,7 @@ private:
   std::vector<Crossing> m_crossings; // from either side, sorted
   Triangles m_triangles;             // of the surface as it was, oriented
   std::vector<Local_vector> m_normals;
+  std::size_t m_points_left = MAXIMUM_POINTS;
   std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point
   std::vector<Point_index> m_component;                   // the current one, increasing
 };

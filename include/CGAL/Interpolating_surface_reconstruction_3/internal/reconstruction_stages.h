@@ -146,7 +146,7 @@ public:
   std::size_t remove_crossings(typename Builder::Triangle_index first, Builder& builder,
                                Point_insertion<Builder>& insert, std::size_t unused)
   {
-    constexpr int MAXIMUM_PASSES = 3;
+    constexpr int MAXIMUM_PASSES = 2;
     Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder);
     for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
