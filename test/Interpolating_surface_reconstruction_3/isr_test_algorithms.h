@@ -13,12 +13,12 @@
 #define ISR_TEST_ALGORITHMS_H
 
 #include "isr_test_reconstruction.h"
+#include "isr_test_self_intersections.h"
 
 #include <CGAL/ctc_reconstruction.h>
 #include <CGAL/lis_reconstruction.h>
 #include <CGAL/pcr_reconstruction.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
@@ -217,18 +217,6 @@ struct Accounting_visitor : Counting_visitor
     has_cells = has_cells || stage == isr::Stage::FUNCTION;
   }
 };
-
-inline bool has_self_intersection(const Points& points, const Triples& triples)
-{
-  using Mesh = CGAL::Surface_mesh<Point>;
-  Mesh mesh;
-  for (const Point& p : points)
-    mesh.add_vertex(p);
-  for (const Triple& t : triples)
-    mesh.add_face(Mesh::Vertex_index(std::uint32_t(t[0])), Mesh::Vertex_index(std::uint32_t(t[1])),
-                  Mesh::Vertex_index(std::uint32_t(t[2])));
-  return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
-}
 
 // Reconstructs, checks what is guaranteed for every input, and returns the triangles.
 template <typename Algorithm, typename NamedParameters>

@@ -15,7 +15,6 @@
 #include "isr_test_lis.h"
 
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -88,17 +87,6 @@ void check_topology(const Solid& s, const Soup& soup, std::size_t unused)
   ISR_CHECK(are_outward(soup.points, soup.triangles));
 }
 
-bool has_self_intersection(const Soup& soup)
-{
-  CGAL::Surface_mesh<Point> mesh;
-  for (const Point& p : soup.points)
-    mesh.add_vertex(p);
-  using Vertex = CGAL::Surface_mesh<Point>::Vertex_index;
-  for (const Triple& t : soup.triangles)
-    mesh.add_face(Vertex(std::uint32_t(t[0])), Vertex(std::uint32_t(t[1])), Vertex(std::uint32_t(t[2])));
-  return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
-}
-
 void test_closed_surfaces()
 {
   for (const Solid& s : solids()) {
@@ -106,7 +94,7 @@ void test_closed_surfaces()
     Counting_visitor visitor;
     const Soup soup = checked_lis(s.points, visitor);
     check_topology(s, soup, visitor.unused);
-    ISR_CHECK(!has_self_intersection(soup));
+    ISR_CHECK(!has_self_intersection(soup.points, soup.triangles));
   }
 }
 

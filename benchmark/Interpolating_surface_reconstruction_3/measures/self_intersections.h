@@ -16,10 +16,8 @@
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/intersections.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -50,39 +48,13 @@ public:
   }
 
 private:
-  const Point& point(std::size_t t, std::size_t i) const { return m_points[m_triangles[t][i % 3]]; }
-  Kernel::Triangle_3 triangle(std::size_t t) const { return Kernel::Triangle_3(point(t, 0), point(t, 1), point(t, 2)); }
+  const Point& point(std::size_t t, std::size_t i) const { return m_points[m_triangles[t][i]]; }
 
   bool do_intersect(std::size_t s, std::size_t t) const
   {
-    std::size_t shared = 0, i = 0, j = 0; // the last common vertex is corner i of s and corner j of t
-    std::size_t sum_i = 0, sum_j = 0;
-    for (std::size_t a = 0; a != 3; ++a)
-      for (std::size_t b = 0; b != 3; ++b)
-        if (m_triangles[s][a] == m_triangles[t][b]) {
-          ++shared;
-          i = a;
-          j = b;
-          sum_i += a;
-          sum_j += b;
-        }
-    if (shared == 0)
-      return CGAL::do_intersect(triangle(s), triangle(t));
-    if (shared == 1)
-      return CGAL::do_intersect(triangle(s), Kernel::Segment_3(point(t, j + 1), point(t, j + 2))) ||
-             CGAL::do_intersect(triangle(t), Kernel::Segment_3(point(s, i + 1), point(s, i + 2)));
-    if (shared == 2)
-      return are_folded(s, 3 - sum_i, t, 3 - sum_j);
-    return true; // the same triangle twice
-  }
-
-  // Whether two triangles with a common edge overlap; i and j are their other corners.
-  bool are_folded(std::size_t s, std::size_t i, std::size_t t, std::size_t j) const
-  {
-    const Point& a = point(s, i + 1);
-    const Point& b = point(s, i + 2);
-    return CGAL::coplanar(a, b, point(s, i), point(t, j)) &&
-           CGAL::coplanar_orientation(a, b, point(s, i), point(t, j)) == CGAL::POSITIVE;
+    namespace isr_internal = CGAL::Interpolating_surface_reconstruction_3::internal;
+    return isr_internal::do_triangles_cross(m_triangles[s], m_triangles[t],
+                                            [this](std::size_t v) { return m_points[v]; });
   }
 
   const std::vector<Point>& m_points;

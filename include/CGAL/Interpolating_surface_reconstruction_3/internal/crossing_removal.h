@@ -89,13 +89,12 @@ private:
   // As a value of the function, which is in units of the distance to the samples.
   static constexpr float CERTAIN = 100.f;
 
-  // Of the components that are replaced in all, so that this takes no more than a second. Scans of more points are noisy
-  // wherever they cross themselves.
+  // Of the components that are replaced, all together, so that this takes seconds at most: it costs several times what
+  // all else does.
   static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
 
-  // Changes of labels that the search may try: enough for a few thousand points, and some for every point where
-  // there are more.
-  static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 10;
+  // Changes of labels that the search may try at each point in doubt.
+  static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 256;
 
   // From either side; false if there are none.
   template <typename CancellationPoint>
@@ -238,7 +237,9 @@ private:
     Label_search<Oriented_labelling> search(
       cells, m_points, labelling, is_in_doubt, is_in_doubt, [](auto...) { return false; }, [](auto) { return true; },
       cancellation_point);
-    std::size_t effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_component.size();
+    const auto doubts =
+      std::count_if(m_component.begin(), m_component.end(), [&](Point_index p) { return m_is_in_doubt[p] != 0; });
+    std::size_t effort = SEARCH_EFFORT_PER_POINT * static_cast<std::size_t>(doubts);
     search(effort, cancellation_point);
   }
 

@@ -141,8 +141,8 @@ public:
     m_progress.end_stage(attached);
   }
 
-  // Removes crossings of the triangles stored from `first` on. Points that this leaves out may cross the surface when
-  // they are inserted again. Returns the number of unused points, which was `unused`.
+  // Removes crossings of the triangles stored from `first` on. The new ones of a component may cross others, and so may
+  // points that were left out when they are inserted again. Returns the number of unused points, which was `unused`.
   std::size_t remove_crossings(typename Builder::Triangle_index first, Builder& builder,
                                Point_insertion<Builder>& insert, std::size_t unused)
   {

@@ -108,9 +108,8 @@ private:
       cancellation_point();
       if (m_pairs_left-- == 0)
         throw Too_many_pairs();
-      if (is_same(a.info(), b.info()) || !do_triangles_cross(a.info(), b.info(), [&](Point_index p) {
-            return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
-          }))
+      if (is_same(a.info(), b.info()) ||
+          !do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return point(p); }))
         return;
       m_crossings.push_back(std::minmax(a.info()[0], b.info()[0]));
     });
@@ -124,8 +123,16 @@ private:
     return s == t;
   }
 
+  Kernel::Point_3 point(Point_index p) const
+  {
+    return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
+  }
+
+  // But those of triangles that only predicates that are not exact take for such.
   void add_box(const Triangle& t, std::vector<Box>& boxes) const
   {
+    if (collinear(point(t[0]), point(t[1]), point(t[2])))
+      return;
     boxes.emplace_back(m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(), t);
   }
 

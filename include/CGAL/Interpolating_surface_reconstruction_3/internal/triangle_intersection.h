@@ -16,6 +16,7 @@
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
+#include <CGAL/intersections.h>
 
 #include <array>
 #include <cstddef>

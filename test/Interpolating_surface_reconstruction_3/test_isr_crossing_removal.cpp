@@ -1,0 +1,249 @@
+#include "isr_surface_test_utils.h"
+#include "isr_test_self_intersections.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+using namespace isr_test;
+using isr_internal::Cell_complex;
+using isr_internal::Crossing_removal;
+using isr_internal::Surface_crossings;
+using isr_internal::Surface_sides;
+using Builder = Hand_surface::Builder;
+
+namespace {
+
+// Whether triangles (0, 1, 2) and (a, b, c) of these points cross.
+bool do_cross(const Points& points, const Triple& t)
+{
+  const bool result = isr_internal::do_triangles_cross(Triple{ 0, 1, 2 }, t, [&](std::size_t v) { return points[v]; });
+  for (const Triple& turned : { Triple{ t[1], t[2], t[0] }, Triple{ t[2], t[0], t[1] } })
+    ISR_CHECK_EQUAL(
+      isr_internal::do_triangles_cross(turned, Triple{ 1, 2, 0 }, [&](std::size_t v) { return points[v]; }), result);
+  return result;
+}
+
+void test_triangles()
+{
+  begin_case("two triangles");
+  const Points base{ Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0) };
+  const auto with = [&](const Points& more) {
+    Points points = base;
+    append(points, more);
+    return points;
+  };
+  // No common vertex: through it, above it, and touching it with a corner, which counts.
+  ISR_CHECK(do_cross(with({ Point(1, 1, -1), Point(1, 1, 1), Point(5, 5, 0) }), Triple{ 3, 4, 5 }));
+  ISR_CHECK(!do_cross(with({ Point(1, 1, 1), Point(1, 2, 1), Point(5, 5, 1) }), Triple{ 3, 4, 5 }));
+  ISR_CHECK(do_cross(with({ Point(1, 1, 0), Point(1, 2, 1), Point(5, 5, 1) }), Triple{ 3, 4, 5 }));
+  // A common vertex.
+  ISR_CHECK(!do_cross(with({ Point(-1, 0, 0), Point(0, -1, 0) }), Triple{ 0, 3, 4 }));
+  ISR_CHECK(!do_cross(with({ Point(1, 1, 1), Point(1, 2, 1) }), Triple{ 0, 3, 4 }));
+  ISR_CHECK(do_cross(with({ Point(2, 1, -1), Point(1, 2, 1) }), Triple{ 0, 3, 4 }));
+  ISR_CHECK(do_cross(with({ Point(2, 1, 0), Point(1, 2, 0) }), Triple{ 0, 3, 4 }));
+  // A common edge: bent, flat, folded.
+  for (const Triple& edge : { Triple{ 0, 1, 3 }, Triple{ 1, 0, 3 }, Triple{ 3, 1, 0 } }) {
+    ISR_CHECK(!do_cross(with({ Point(1, 1, 1) }), edge));
+    ISR_CHECK(!do_cross(with({ Point(1, -1, 0) }), edge));
+    ISR_CHECK(do_cross(with({ Point(1, 1, 0) }), edge));
+    // Folded up to less than a double can tell of a determinant.
+    ISR_CHECK(!do_cross(with({ Point(1, 1, 1e-300) }), edge));
+  }
+}
+
+// A globe without symmetries.
+Mesh rough_globe(std::size_t rings, std::size_t n)
+{
+  Mesh mesh = globe(rings, n);
+  mesh.points = with_noise(mesh.points, .01, 5);
+  return mesh;
+}
+
+Triples sorted(Triples triples)
+{
+  for (Triple& t : triples)
+    std::sort(t.begin(), t.end());
+  std::sort(triples.begin(), triples.end());
+  return triples;
+}
+
+// The triangles of a globe at whose south pole a hole is closed without the pole, which is attached to
+// the triangle at the other end of the globe.
+Triples with_spike(const Mesh& mesh, std::size_t n)
+{
+  Triples triples(mesh.triples.begin() + std::ptrdiff_t(n), mesh.triples.end());
+  for (std::size_t i = 2; i != n; ++i)
+    triples.push_back(Triple{ 1, i + 1, i });
+  const Triple split = mesh.triples.back();
+  triples.erase(std::find(triples.begin(), triples.end(), split));
+  for (std::size_t i = 0; i != 3; ++i)
+    triples.push_back(Triple{ split[i], split[(i + 1) % 3], 0 });
+  return triples;
+}
+
+std::size_t crossings_of(const Hand_surface& s, std::size_t first)
+{
+  isr_internal::No_cancellation never;
+  return Surface_crossings<Builder>(s.cloud.positions(), s.builder)(static_cast<Builder::Triangle_index>(first), never)
+    .size();
+}
+
+bool remove_crossings(Hand_surface& s, std::size_t first = 0)
+{
+  return Crossing_removal<CGAL::Sequential_tag, Builder>(s.cloud.positions(), {}, s.builder)(
+    static_cast<Builder::Triangle_index>(first), no_progress);
+}
+
+void test_spike()
+{
+  begin_case("spike");
+  constexpr std::size_t N = 9;
+  const Mesh mesh = rough_globe(7, N);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(with_spike(mesh, N)));
+  ISR_CHECK(has_self_intersection(mesh.points, s.triangles()));
+  ISR_CHECK(crossings_of(s, 0) != 0);
+  // The spike has been attached last.
+  const std::size_t all = s.builder.number_of_stored_triangles();
+  ISR_CHECK(crossings_of(s, all - 3) != 0);
+  ISR_CHECK_EQUAL(crossings_of(s, all), 0u);
+  ISR_CHECK(!remove_crossings(s, all));
+  ISR_CHECK(remove_crossings(s, all - 3));
+  const Triples triples = s.triangles();
+  ISR_CHECK(!has_self_intersection(mesh.points, triples));
+  ISR_CHECK(validation::is_oriented_manifold(mesh.points, triples, Kernel()));
+  ISR_CHECK(validation::boundary_edges(triples).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), 2);
+  ISR_CHECK_EQUAL(validation::used_points(triples).size(), mesh.points.size());
+  // Nothing is left to do.
+  ISR_CHECK(!remove_crossings(s));
+}
+
+void test_two_components()
+{
+  begin_case("components that cross");
+  Mesh mesh = rough_globe(7, 9);
+  append(mesh, globe(5, 7, Point(1.1, .1, .05), .5));
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(has_self_intersection(mesh.points, s.triangles()));
+  ISR_CHECK(remove_crossings(s));
+  const Triples triples = s.triangles();
+  ISR_CHECK(!has_self_intersection(mesh.points, triples));
+  ISR_CHECK(validation::is_oriented_manifold(mesh.points, triples, Kernel()));
+  ISR_CHECK(validation::boundary_edges(triples).empty());
+}
+
+// What is right stays as it is, and so do components with a boundary.
+void test_left_alone()
+{
+  begin_case("nothing crosses");
+  Mesh mesh = rough_globe(7, 9);
+  append(mesh, globe(5, 7, Point(3, 0, 0), .5));
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(!remove_crossings(s));
+  ISR_CHECK(sorted(s.triangles()) == sorted(mesh.triples));
+
+  begin_case("component with a boundary");
+  constexpr std::size_t N = 9;
+  const Mesh open = rough_globe(7, N);
+  Triples triples = with_spike(open, N);
+  triples.erase(triples.begin() + 20);
+  Hand_surface t(open.points);
+  ISR_CHECK(t.add(triples));
+  ISR_CHECK(crossings_of(t, 0) != 0);
+  ISR_CHECK(!remove_crossings(t));
+  ISR_CHECK(sorted(t.triangles()) == sorted(triples));
+}
+
+std::vector<isr_internal::Local_point> local_points(const Points& points)
+{
+  std::vector<isr_internal::Local_point> result;
+  for (const Point& p : points)
+    result.emplace_back(p.x(), p.y(), p.z());
+  return result;
+}
+
+Cell_complex cells_of(const std::vector<isr_internal::Local_point>& points)
+{
+  std::vector<Point_index> sites;
+  for (std::size_t p = 0; p != points.size(); ++p)
+    sites.push_back(static_cast<Point_index>(p));
+  return Cell_complex(points, sites);
+}
+
+// The convex hull, facing outward.
+std::vector<Surface_sides::Triangle> hull_triangles(const Points& points)
+{
+  const Cell_complex cells = cells_of(local_points(points));
+  std::vector<Surface_sides::Triangle> result;
+  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (cells[c].vertices[i] == NO_POINT) {
+        Surface_sides::Triangle f = Cell_complex::facet(cells[c], i);
+        if (i % 2 == 0)
+          std::swap(f[0], f[1]);
+        result.push_back(f);
+      }
+  return result;
+}
+
+// An ellipsoid with a hollow of the same shape.
+void test_sides()
+{
+  begin_case("sides");
+  Points points = globe(9, 12).points;
+  for (Point& p : points)
+    p = Point(p.x(), 1.1 * p.y(), 1.3 * p.z());
+  const std::size_t outer = points.size();
+  std::vector<Surface_sides::Triangle> triangles = hull_triangles(points);
+  for (std::size_t t = 0, n = triangles.size(); t != n; ++t) {
+    const auto inner = [&](std::size_t i) { return static_cast<Point_index>(outer + triangles[t][i]); };
+    triangles.push_back({ { inner(0), inner(2), inner(1) } });
+  }
+  append(points, scaled(points, .3));
+  const std::vector<isr_internal::Local_point> positions = local_points(points);
+  const Cell_complex cells = cells_of(positions);
+  isr_internal::No_cancellation never;
+  std::vector<unsigned char> is_in_doubt(points.size(), 0);
+  is_in_doubt[0] = 1;
+  const Surface_sides sides(cells, triangles, is_in_doubt, never);
+  // All triangles are facets.
+  ISR_CHECK_EQUAL(std::count(is_in_doubt.begin(), is_in_doubt.end(), 1), 1);
+  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c) {
+    const auto& v = cells[c].vertices;
+    const bool is_in_hollow = std::all_of(v.begin(), v.end(), [&](Point_index p) { return p >= outer; });
+    const Surface_sides::Side expected =
+      std::count(v.begin(), v.end(), Point_index(0)) != 0   ? Surface_sides::Side::UNKNOWN
+      : is_in_hollow || Cell_complex::is_infinite(cells[c]) ? Surface_sides::Side::OUTSIDE
+                                                            : Surface_sides::Side::INSIDE;
+    ISR_CHECK(sides[c] == expected);
+  }
+
+  begin_case("sides of other triangles");
+  triangles.push_back({ { 3, 40, 80 } });
+  const Surface_sides with_other(cells, triangles, is_in_doubt, never);
+  for (std::size_t p : { 0u, 3u, 40u, 80u })
+    ISR_CHECK_EQUAL(int(is_in_doubt[p]), 1);
+  ISR_CHECK_EQUAL(std::count(is_in_doubt.begin(), is_in_doubt.end(), 1), 4);
+}
+
+} // namespace
+
+int main()
+{
+  test_triangles();
+  test_spike();
+  test_two_components();
+  test_left_alone();
+  test_sides();
+  return result();
+}
