@@ -59,8 +59,10 @@ public:
       if (!m_builder.is_removed(t))
         add_box(m_builder.triangle(t), m_late);
     m_pairs_left = PAIRS_PER_POINT * m_points.size();
-    if (!m_late.empty())
+    if (!m_late.empty()) {
+      sort_late();
       cross_with_surface(cancellation_point);
+    }
     std::sort(m_crossings.begin(), m_crossings.end());
     m_crossings.erase(std::unique(m_crossings.begin(), m_crossings.end()), m_crossings.end());
     return std::move(m_crossings);
@@ -77,8 +79,31 @@ private:
   // Well-shaped triangles have about ten.
   static constexpr std::size_t PAIRS_PER_POINT = 64;
 
+  // Of late triangles next to another one.
+  static constexpr int MAXIMUM_TESTS = 16;
+
   // Triangles of the surface that are looked at together, if the late ones are not more.
   static constexpr std::size_t BLOCK_SIZE = 1 << 15;
+
+  void sort_late()
+  {
+    std::sort(m_late.begin(), m_late.end(), [](const Box& a, const Box& b) { return a.min_coord(0) < b.min_coord(0); });
+    m_late_width = 0.;
+    for (const Box& box : m_late)
+      m_late_width = (std::max)(m_late_width, box.max_coord(0) - box.min_coord(0));
+  }
+
+  // Whether the triangle may meet a late one: a quick test, as most are far from all of these.
+  bool may_cross(const Triangle& t) const
+  {
+    const Bbox_3 box = bbox(t);
+    auto late = std::lower_bound(m_late.begin(), m_late.end(), box.xmin() - m_late_width,
+                                 [](const Box& b, double x) { return b.min_coord(0) < x; });
+    for (int k = 0; late != m_late.end() && late->min_coord(0) <= box.xmax(); ++late, ++k)
+      if (k == MAXIMUM_TESTS || do_overlap(late->bbox(), box))
+        return true;
+    return false;
+  }
 
   template <typename CancellationPoint>
   void cross_with_surface(CancellationPoint& cancellation_point)
@@ -88,7 +113,8 @@ private:
     block.reserve(block_size);
     try {
       m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
-        add_box(t, block);
+        if (may_cross(t))
+          add_box(t, block);
         if (block.size() == block_size)
           cross_with(block, cancellation_point);
       });
@@ -133,12 +159,15 @@ private:
   {
     if (collinear(point(t[0]), point(t[1]), point(t[2])))
       return;
-    boxes.emplace_back(m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(), t);
+    boxes.emplace_back(bbox(t), t);
   }
+
+  Bbox_3 bbox(const Triangle& t) const { return m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(); }
 
   const std::vector<Local_point>& m_points;
   const Builder& m_builder;
-  std::vector<Box> m_late;
+  std::vector<Box> m_late;  // by their smallest x
+  double m_late_width = 0.; // of the widest one in x
   std::vector<Crossing> m_crossings;
   std::size_t m_pairs_left = 0;
 };
