@@ -13,6 +13,7 @@
 
 #include "isr_test_hostile.h"
 #include "isr_test_lis.h"
+#include "isr_test_self_intersections.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Surface_mesh.h>

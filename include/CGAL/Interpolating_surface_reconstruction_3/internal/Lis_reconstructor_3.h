@@ -24,8 +24,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/side_of_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_refinement.h>
@@ -166,43 +165,12 @@ private:
   {
     m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
     relax_labels(cells, labelling, m_cancellation_point);
-    make_manifold(cells, labelling);
+    make_manifold(cells, labelling, m_cancellation_point);
     surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
-  }
-
-  void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling)
-  {
-    Labelling_repair<Oriented_labelling> repair(
-      cells, labelling, [](Point_index) { return true; }, (std::numeric_limits<double>::max)(), true,
-      m_cancellation_point);
-    repair(m_cancellation_point);
-    Label_minimum_cut cut(cells, labelling);
-    cut(repair, m_cancellation_point);
-    repair.enforce(m_cancellation_point);
-  }
-
-  // Counterclockwise, seen from the outside.
-  template <typename CancellationPoint>
-  static Triangles facets_between_labels(const Cell_complex& cells, const Oriented_labelling& labelling,
-                                         CancellationPoint& cancellation_point)
-  {
-    Triangles triangles;
-    for (std::size_t c = 0; c != cells.size(); ++c)
-      for (std::size_t i = 0; i != 4; ++i) {
-        cancellation_point();
-        const auto cell = static_cast<Cell_complex::Cell_index>(c);
-        if (!labelling.label(cell) || !labelling.is_surface(cell, i))
-          continue;
-        Triangle t = Cell_complex::facet(cells[c], i);
-        if (i % 2 != 0)
-          std::swap(t[1], t[2]);
-        triangles.push_back(t);
-      }
-    return triangles;
   }
 
   // Adds vertices on a surface that is smooth between the samples.
