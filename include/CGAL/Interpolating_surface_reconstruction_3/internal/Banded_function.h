@@ -46,8 +46,10 @@ public:
 
   double operator()(const std::array<double, 3>& x) const
   {
-    if (!m_band.is_empty()) {
-      const Surface_band::Place place = m_band(m_function.cloud().local_point(x[0], x[1], x[2]));
+    const Local_point p = m_function.cloud().local_point(x[0], x[1], x[2]);
+    // Beside points at the upper end of the range of `double` are places that overflow.
+    if (!m_band.is_empty() && std::isfinite((p - Local_point(0, 0, 0)).squared_length())) {
+      const Surface_band::Place place = m_band(p);
       if (std::abs(place.signed_distance) >= place.width)
         return m_function.cloud().global_length(place.signed_distance);
     }

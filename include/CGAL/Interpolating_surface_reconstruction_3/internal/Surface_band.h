@@ -94,9 +94,11 @@ public:
     if (!find_neighbors())
       m_triangles.clear();
     sum_up_normals();
-    std::vector<Soup_triangle::Id> ids(m_triangles.size());
-    for (std::size_t t = 0; t != ids.size(); ++t)
-      ids[t] = static_cast<Soup_triangle::Id>(t);
+    // The edges of a triangle without a plane are those of others.
+    std::vector<Soup_triangle::Id> ids;
+    for (std::size_t t = 0; t != m_triangles.size(); ++t)
+      if (normal(t).squared_length() >= (std::numeric_limits<double>::min)())
+        ids.push_back(static_cast<Soup_triangle::Id>(t));
     m_tree.insert(ids.begin(), ids.end(), m_positions, m_triangles);
     m_tree.build();
     if (!ids.empty())
@@ -106,7 +108,7 @@ public:
   Surface_band(const Surface_band&) = delete; // the tree refers to the triangles
   Surface_band& operator=(const Surface_band&) = delete;
 
-  bool is_empty() const { return m_triangles.empty(); }
+  bool is_empty() const { return m_tree.empty(); }
 
   // No place has a larger one.
   double largest_width() const
@@ -172,10 +174,15 @@ private:
     return true;
   }
 
-  Local_vector unit_normal(std::size_t t) const
+  Local_vector normal(std::size_t t) const
   {
     const Triangle& v = m_triangles[t];
-    const Local_vector n = cross_product(m_positions[v[1]] - m_positions[v[0]], m_positions[v[2]] - m_positions[v[0]]);
+    return cross_product(m_positions[v[1]] - m_positions[v[0]], m_positions[v[2]] - m_positions[v[0]]);
+  }
+
+  Local_vector unit_normal(std::size_t t) const
+  {
+    const Local_vector n = normal(t);
     const double length = std::sqrt(n.squared_length());
     return length > 0. ? n / length : Local_vector(0, 0, 0);
   }
@@ -199,7 +206,7 @@ private:
   {
     const Triangle& v = m_triangles[t];
     const Local_point &a = m_positions[v[0]], &b = m_positions[v[1]], &c = m_positions[v[2]];
-    const Local_vector n = cross_product(b - a, c - a);
+    const Local_vector n = normal(t);
     const std::array<double, 3> area{ { n * cross_product(b - x, c - x), n * cross_product(c - x, a - x),
                                         n * cross_product(a - x, b - x) } };
     if (area[0] > 0. && area[1] > 0. && area[2] > 0.) {
