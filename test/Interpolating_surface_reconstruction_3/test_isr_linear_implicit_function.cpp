@@ -252,6 +252,95 @@ Oriented_points nonuniform_sphere(double spacing)
   return samples;
 }
 
+double distance_to_box(const Point& p, const Point& low, const Point& high)
+{
+  double outside = 0., inside = std::numeric_limits<double>::infinity();
+  for (int a = 0; a != 3; ++a) {
+    const double beyond = (std::max)({ 0., low[a] - p[a], p[a] - high[a] });
+    outside += beyond * beyond;
+    inside = (std::min)({ inside, p[a] - low[a], high[a] - p[a] });
+  }
+  return outside > 0. ? std::sqrt(outside) : inside;
+}
+
+// The surface of a box of nx x ny x nz parts.
+Points box_surface(std::size_t nx, std::size_t ny, std::size_t nz, const Point& high)
+{
+  Points points;
+  for (std::size_t i = 0; i <= nx; ++i)
+    for (std::size_t j = 0; j <= ny; ++j)
+      for (std::size_t k = 0; k <= nz; ++k)
+        if (i == 0 || i == nx || j == 0 || j == ny || k == 0 || k == nz)
+          points.emplace_back(high.x() * double(i) / double(nx), high.y() * double(j) / double(ny),
+                              high.z() * double(k) / double(nz));
+  return points;
+}
+
+// A flat toothed wheel: samples on the outlines of its faces and at their centers.
+Oriented_points gear(std::size_t teeth, double thickness)
+{
+  constexpr double pi = 3.14159265358979323846;
+  constexpr int parts = 8;
+  const auto corner = [&](std::size_t i) {
+    const double angle = pi * double(i) / double(teeth), radius = i % 2 == 0 ? .5 : 1.;
+    return Vector(radius * std::cos(angle), radius * std::sin(angle), 0);
+  };
+  const auto side_normal = [&](std::size_t i) {
+    const Vector side = corner(i + 1) - corner(i);
+    return Vector(side.y(), -side.x(), 0) / std::sqrt(side.squared_length());
+  };
+  Oriented_points samples;
+  for (double up : { -1., 1. }) {
+    const Vector z(0, 0, up), height = .5 * thickness * z;
+    samples.emplace_back(CGAL::ORIGIN + height, z);
+    for (std::size_t i = 0; i != 2 * teeth; ++i)
+      for (int part = 0; part != parts; ++part) {
+        const Vector n = side_normal(i), m = part == 0 ? side_normal(i + 2 * teeth - 1) : n;
+        const Vector x = corner(i) + (double(part) / parts) * (corner(i + 1) - corner(i));
+        samples.emplace_back(CGAL::ORIGIN + x + height, (n + m) / std::sqrt((n + m).squared_length()) + z);
+      }
+  }
+  return samples;
+}
+
+void test_thin_parts()
+{
+  begin_case("isosurface of plates: as near to them as their tangent planes");
+  const auto isosurface_of_box = [](std::size_t nx, std::size_t ny, std::size_t nz, const Point& high) {
+    const auto normal = [&](const Point& p) { return normal_of_box(p, Point(0, 0, 0), high); };
+    const Function f(with_normals(box_surface(nx, ny, nz, high), normal), oriented_maps());
+    Soup soup;
+    isr::adaptive_linear_implicit_isosurface(f, soup.points, soup.triangles);
+    check_closed_manifold(soup, 2, 1);
+    double distance = 0.;
+    for (const Point& p : soup.points)
+      distance = (std::max)(distance, distance_to_box(p, Point(0, 0, 0), high));
+    return distance;
+  };
+  ISR_CHECK(isosurface_of_box(16, 16, 1, Point(16., 16., 2.)) < .7);
+  ISR_CHECK(isosurface_of_box(16, 16, 1, Point(16., 16., 1.)) < .7);
+
+  begin_case("... with spacings that differ by direction: nothing leads away from the samples");
+  ISR_CHECK(isosurface_of_box(32, 4, 1, Point(16., 16., 2.)) < 2.);
+  ISR_CHECK(isosurface_of_box(32, 1, 1, Point(16., 8., 1.)) < 4.);
+
+  begin_case("... with teeth");
+  Soup soup;
+  isr::adaptive_linear_implicit_isosurface(Function(gear(12, .2), oriented_maps()), soup.points, soup.triangles);
+  check_closed_manifold(soup, 2, 1);
+
+  begin_case("normals that point inward: the same, turned over");
+  const Point high(16., 16., 2.);
+  const auto inward = [&](const Point& p) { return -normal_of_box(p, Point(0, 0, 0), high); };
+  const Function room(with_normals(box_surface(32, 4, 1, high), inward), oriented_maps());
+  Soup walls;
+  isr::adaptive_linear_implicit_isosurface(room, walls.points, walls.triangles);
+  ISR_CHECK(validation::is_vertex_manifold(walls.triangles));
+  ISR_CHECK(validation::boundary_edges(walls.triangles).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(walls.triangles), 2);
+  ISR_CHECK(!are_outward(walls.points, walls.triangles));
+}
+
 void test_adaptive_isosurface()
 {
   begin_case("adaptive isosurface of a torus");
@@ -336,5 +425,6 @@ int main()
   test_few_samples();
   test_isosurface();
   test_adaptive_isosurface();
+  test_thin_parts();
   return result();
 }

@@ -190,6 +190,9 @@ public:
       visit(m_data->cloud.point(p), m_data->cloud.global_length(m_data->pieces.radii()[p]));
   }
 
+  const internal::Point_cloud_3<Traits>& cloud() const { return m_data->cloud; }
+  const internal::Linear_pieces& pieces() const { return m_data->pieces; }
+
   double sum_of_squared_radii() const
   {
     double sum = 0.;

@@ -17,14 +17,13 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Linear_implicit_function_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Adaptive_contour.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Adaptive_grid.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Banded_function.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/isosurface_call.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -42,14 +41,21 @@ for.
 The cells are the leaves of an octree, small where the stars of the points are small. Edges of cells and centers of
 cells at them make tetrahedra that fit together whatever the sizes of the cells are, so that the triangles in them,
 by the signs of the function at their corners, leave no crack: they are an oriented 2-manifold that does not cross
-itself. It is closed, unless it leaves the bounding box of the points enlarged by twice their largest radius; there
-it ends with a boundary, as the zero set of the function of an open sheet does. The surface is followed from cells
-with a point on, and the function is evaluated at cells that it passes through and at cells beside them. The
-vertices are no points of the range. The output does not depend on the number of threads.
+itself. The surface is followed from cells with a point on, and the function is evaluated at cells that it passes
+through and at cells beside them. The vertices are no points of the range. The output does not depend on the number
+of threads.
 
-The number of cells, and the time and memory, are proportional to the number of points, whatever their bounding box
-is and however much their spacing varies; they grow with the inverse square of `relative_step`, but for the
-evaluations of the function, which take logarithmic time each.
+Far from the points, tangent planes do not tell the inside from the outside. The function counts only in a band around
+the surface of `CGAL::lis_reconstruction()` through the points, as wide as the tangent planes at the vertices of the
+nearest triangle rise over it, each times the agreement of its normal with that of the triangle; elsewhere, the sign is
+the side of that surface. The zero set is closed then, and has no part that leads away from the points. Sheets that
+are nearer to each other than the size of the cells may touch and join. If that surface is not closed, as through
+points in a plane, the function counts everywhere, and the zero set ends at the bounding box of the points enlarged by
+twice their largest radius.
+
+The number of cells is proportional to the number of points, whatever their bounding box is and however much their
+spacing varies, and grows with the inverse square of `relative_step`, but for the evaluations of the function, which
+take logarithmic time each. To the time and memory for them come those of `CGAL::lis_reconstruction()`.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` (needs \ref thirdpartyTBB) or
 `CGAL::Parallel_if_available_tag`
@@ -80,16 +86,16 @@ std::size_t adaptive_linear_implicit_isosurface(const Linear_implicit_function_3
                                                 double relative_step = 1.,
                                                 std::size_t maximum_number_of_cells = 200000000)
 {
-  using Coordinates = std::array<double, 3>;
-
   if (!std::isfinite(relative_step) || !(relative_step > 0.))
     throw std::invalid_argument("relative_step: must be finite and positive");
   if (!(function.smallest_radius() > 0)) // fewer than two points
     return 0;
   const std::size_t maximum = (std::min)(maximum_number_of_cells, internal::LARGEST_NUMBER_OF_CELLS);
   const Traits& traits = function.geom_traits();
+  using Value = internal::Banded_function<ConcurrencyTag, Linear_implicit_function_3<Traits, Weight> >;
+  const Value value(function);
   const Bbox_3 box = function.bbox();
-  const double margin = 2. * function.largest_radius(),
+  const double margin = (std::max)(2. * function.largest_radius(), 2. * value.largest_width()),
                size = (std::max)({ box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin() }) +
                       2. * margin;
   internal::Adaptive_grid grid({ { box.xmin() - margin, box.ymin() - margin, box.zmin() - margin } }, size);
@@ -98,8 +104,7 @@ std::size_t adaptive_linear_implicit_isosurface(const Linear_implicit_function_3
       throw std::invalid_argument("relative_step: more than " + std::to_string(maximum) + " cells would be needed");
   });
 
-  const auto value = [&](const Coordinates& x) { return CGAL::to_double(function(internal::point_at(x, traits))); };
-  internal::Adaptive_contour<ConcurrencyTag, decltype(value)> contour(value, grid);
+  internal::Adaptive_contour<ConcurrencyTag, Value> contour(value, grid);
   function.for_each_sample(
     [&](const typename Traits::Point_3& p, double) { contour.add_seed(internal::coordinates_of(p, traits)); });
   contour();

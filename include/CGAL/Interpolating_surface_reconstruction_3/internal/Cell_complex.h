@@ -64,11 +64,15 @@ public:
   template <typename Cancellation_point>
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points,
                Cancellation_point& cancellation_point)
+    : m_points(std::move(points))
   {
-    std::sort(points.begin(), points.end());
+    // What stays is allocated before the triangulation, so that the system gets the memory of that back.
+    std::sort(m_points.begin(), m_points.end());
+    tabulate_positions();
     Site_triangulation triangulation(positions);
-    triangulation.insert(points, cancellation_point);
-    *this = Cell_complex(triangulation, std::move(points), cancellation_point);
+    triangulation.insert(m_points, cancellation_point);
+    if (triangulation.is_usable())
+      copy_cells(triangulation.delaunay(), cancellation_point);
   }
 
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)

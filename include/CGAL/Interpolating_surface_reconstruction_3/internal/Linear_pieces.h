@@ -83,6 +83,7 @@ public:
   Linear_pieces& operator=(const Linear_pieces&) = delete;
 
   const std::vector<Local_point>& positions() const { return m_positions; }
+  const std::vector<Local_vector>& normals() const { return m_normals; }
   const std::vector<double>& radii() const { return m_radii; }
 
   // The planes blended by their weights (thesis Eq. 5.6); where no weight reaches, the nearest plane. At

@@ -49,15 +49,15 @@ public:
   using Node = std::uint32_t;
 
   // What a node pays for each label, and two nodes if only the first, or only the second is inside.
-  // Negative costs count as zero.
+  // Negative costs count as zero. They are in memory together with the graph, so that they are short.
   struct Node_cost
   {
-    double if_outside, if_inside;
+    float if_outside, if_inside;
   };
   struct Pair_cost
   {
     Node first, second;
-    double if_first, if_second;
+    float if_first, if_second;
   };
 
   Minimum_cut(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs)

@@ -145,11 +145,21 @@ private:
     return cross_product(m_positions[v[1]] - m_positions[v[0]], m_positions[v[2]] - m_positions[v[0]]);
   }
 
-  // The unit normal times the angle at vertex i.
-  Local_vector normal_at(std::size_t t, std::size_t i) const
+  // How the normals of triangles make that of a vertex: normals of samples may come from either.
+  enum Weighting : std::size_t
   {
-    const Triangle& v = m_triangles[t];
+    BY_ANGLE,
+    BY_AREA,
+    NUMBER_OF_WEIGHTINGS
+  };
+
+  // The normal as it counts at vertex i.
+  Local_vector normal_at(std::size_t t, std::size_t i, Weighting weighting) const
+  {
     const Local_vector n = normal(t);
+    if (weighting == BY_AREA)
+      return n;
+    const Triangle& v = m_triangles[t];
     const double length = std::sqrt(n.squared_length());
     if (!(length > 0.))
       return Local_vector(0, 0, 0);
@@ -160,10 +170,13 @@ private:
 
   void sum_up_normals()
   {
-    m_sums.assign(m_positions.size(), Local_vector(0, 0, 0));
-    for (std::size_t t = 0; t != m_triangles.size(); ++t)
-      for (std::size_t i = 0; i != 3; ++i)
-        m_sums[m_triangles[t][i]] = m_sums[m_triangles[t][i]] + normal_at(t, i);
+    for (Weighting weighting : { BY_ANGLE, BY_AREA }) {
+      std::vector<Local_vector>& sums = m_sums[weighting];
+      sums.assign(m_positions.size(), Local_vector(0, 0, 0));
+      for (std::size_t t = 0; t != m_triangles.size(); ++t)
+        for (std::size_t i = 0; i != 3; ++i)
+          sums[m_triangles[t][i]] = sums[m_triangles[t][i]] + normal_at(t, i, weighting);
+    }
   }
 
   bool faces_against_normals(std::size_t t) const
@@ -190,31 +203,41 @@ private:
 
   void open_region(const std::vector<std::size_t>& region)
   {
-    std::vector<std::pair<Point_index, Local_vector> > parts;
-    for (std::size_t t : region)
-      for (std::size_t i = 0; i != 3; ++i)
-        parts.emplace_back(m_triangles[t][i], normal_at(t, i));
-    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    double with_region = 0., without_region = 0.;
-    for (auto it = parts.begin(); it != parts.end();) {
-      const Point_index p = it->first;
-      Local_vector rest = m_sums[p];
-      for (; it != parts.end() && it->first == p; ++it)
-        rest = rest - it->second;
-      with_region += deviation(p, m_sums[p]);
-      without_region += deviation(p, rest);
-    }
-    // in a plane both are zero but for rounding
-    if (without_region <= with_region + ROUNDING * double(parts.size()))
+    if (explains_no_normals(region, BY_ANGLE) && explains_no_normals(region, BY_AREA))
       for (std::size_t t : region)
         m_is_removed[t] = 1;
   }
 
-  // One minus the cosine of the angle between the normal of a sample and one made of triangles.
-  double deviation(Point_index p, const Local_vector& n) const
+  // Whether the other triangles explain the normals of its samples at least as well alone.
+  bool explains_no_normals(const std::vector<std::size_t>& region, Weighting weighting) const
   {
-    return n.squared_length() > ROUNDING * ROUNDING ? 1. - cosine(m_normals[p], n) : LARGEST_DEVIATION;
+    std::vector<std::pair<Point_index, Local_vector> > parts;
+    for (std::size_t t : region)
+      for (std::size_t i = 0; i != 3; ++i)
+        parts.emplace_back(m_triangles[t][i], normal_at(t, i, weighting));
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    double with_region = 0., without_region = 0.;
+    for (auto it = parts.begin(); it != parts.end();) {
+      const Point_index p = it->first;
+      const Local_vector& sum = m_sums[weighting][p];
+      Local_vector rest = sum;
+      for (; it != parts.end() && it->first == p; ++it)
+        rest = rest - it->second;
+      with_region += deviation(p, sum);
+      without_region += deviation(p, rest, sum);
+    }
+    // in a plane both are zero but for rounding
+    return without_region <= with_region + ROUNDING * double(parts.size());
   }
+
+  // One minus the cosine of the angle between the normal of a sample and one made of triangles.
+  double deviation(Point_index p, const Local_vector& n, const Local_vector& sum) const
+  {
+    return n.squared_length() > ROUNDING * ROUNDING * sum.squared_length() ? 1. - cosine(m_normals[p], n)
+                                                                           : LARGEST_DEVIATION;
+  }
+
+  double deviation(Point_index p, const Local_vector& n) const { return deviation(p, n, n); }
 
   // Of the fans that remain at a vertex, the largest stays. That may open other fans, until none is left.
   void remove_second_fans()
@@ -274,7 +297,7 @@ private:
   const std::vector<Triangle>& m_triangles;
   std::vector<std::array<std::size_t, 3> > m_neighbors;
   std::vector<double> m_spacings;
-  std::vector<Local_vector> m_sums; // of the normals of the triangles at each vertex
+  std::array<std::vector<Local_vector>, NUMBER_OF_WEIGHTINGS> m_sums; // of the normals at each vertex
   std::vector<unsigned char> m_is_seen, m_is_removed;
 };
 

@@ -137,21 +137,21 @@ private:
     for (std::uint32_t k = 0; k != m_region.size(); ++k) {
       const Cell_index c = m_region[k];
       double total_area = 0.;
-      Minimum_cut::Node_cost cost{ 0., 0. };
+      double if_outside = 0., if_inside = 0.;
       for (std::size_t i = 0; i != 4; ++i) {
         const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
         const Cell_index n = m_cells[c].neighbors[i];
         total_area += energy.area;
         if (m_node_of[n] >= IN)
-          (m_labelling.label(n) ? cost.if_outside : cost.if_inside) +=
+          (m_labelling.label(n) ? if_outside : if_inside) +=
             m_labelling.label(n) ? energy.if_outside : energy.if_inside;
         else if (m_node_of[n] > k)
-          pairs.push_back(Minimum_cut::Pair_cost{ k, m_node_of[n], energy.if_inside, energy.if_outside });
+          pairs.push_back(Minimum_cut::Pair_cost{ k, m_node_of[n], float(energy.if_inside), float(energy.if_outside) });
       }
       const double preference = VALUE_SHARE * m_labelling.outside_preference(c, total_area);
-      cost.if_outside += (std::max)(-preference, 0.);
-      cost.if_inside += (std::max)(preference, 0.);
-      nodes.push_back(cost);
+      if_outside += (std::max)(-preference, 0.);
+      if_inside += (std::max)(preference, 0.);
+      nodes.push_back(Minimum_cut::Node_cost{ float(if_outside), float(if_inside) });
     }
     return Minimum_cut(nodes, pairs);
   }
