@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_neighbors.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/version.h>
@@ -89,9 +90,10 @@ public:
 
   // `normals` have unit length. The triangles are oriented; a surface with boundary has no inside.
   Surface_band(std::vector<Local_point> positions, std::vector<Local_vector> normals, std::vector<Triangle> triangles)
-    : m_positions(std::move(positions)), m_normals(std::move(normals)), m_triangles(std::move(triangles))
+    : m_positions(std::move(positions)), m_normals(std::move(normals)), m_triangles(std::move(triangles)),
+      m_neighbors(neighbors_of_closed_surface(m_triangles))
   {
-    if (!find_neighbors())
+    if (m_neighbors.empty())
       m_triangles.clear();
     sum_up_normals();
     // The edges of a triangle without a plane are those of others.
@@ -146,33 +148,6 @@ private:
 #else
   using Tree = AABB_tree<AABB_traits<Local_kernel, Soup_triangle> >;
 #endif
-
-  // Neighbor i shares the edge from vertex i to the next. Returns false if there is a boundary.
-  bool find_neighbors()
-  {
-    struct Side
-    {
-      Point_index low, high;
-      std::uint32_t triangle, index;
-      bool operator<(const Side& other) const { return low < other.low || (low == other.low && high < other.high); }
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * m_triangles.size());
-    for (std::uint32_t t = 0; t != m_triangles.size(); ++t)
-      for (std::uint32_t i = 0; i != 3; ++i) {
-        const Point_index p = m_triangles[t][i], q = m_triangles[t][(i + 1) % 3];
-        sides.push_back(Side{ (std::min)(p, q), (std::max)(p, q), t, i });
-      }
-    std::sort(sides.begin(), sides.end());
-    m_neighbors.resize(m_triangles.size());
-    for (std::size_t s = 0; s != sides.size(); s += 2) {
-      if (s + 1 == sides.size() || sides[s] < sides[s + 1])
-        return false;
-      m_neighbors[sides[s].triangle][sides[s].index] = sides[s + 1].triangle;
-      m_neighbors[sides[s + 1].triangle][sides[s + 1].index] = sides[s].triangle;
-    }
-    return true;
-  }
 
   Local_vector normal(std::size_t t) const
   {
@@ -246,7 +221,7 @@ private:
   const std::vector<Local_point> m_positions;
   const std::vector<Local_vector> m_normals;
   std::vector<Triangle> m_triangles;
-  std::vector<std::array<std::uint32_t, 3> > m_neighbors;
+  Triangle_neighbors m_neighbors;
   std::vector<Local_vector> m_sums; // of the normals of the triangles at each vertex
   Tree m_tree;
 };

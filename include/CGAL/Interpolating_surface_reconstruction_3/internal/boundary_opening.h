@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_neighbors.h>
 
 #include <algorithm>
 #include <array>
@@ -41,14 +42,16 @@ public:
   // Closed, oriented.
   Boundary_opening(const std::vector<Local_point>& positions, const std::vector<Local_vector>& normals,
                    const std::vector<Triangle>& triangles)
-    : m_positions(positions), m_normals(normals), m_triangles(triangles), m_is_seen(triangles.size(), 0),
+    : m_positions(positions), m_normals(normals), m_triangles(triangles),
+      m_neighbors(neighbors_of_closed_surface(triangles)), m_is_seen(triangles.size(), 0),
       m_is_removed(triangles.size(), 0)
   { }
 
   // The triangles that remain: a manifold with boundary.
   std::vector<Triangle> operator()()
   {
-    find_neighbors();
+    if (m_neighbors.empty())
+      return m_triangles;
     find_spacings();
     sum_up_normals();
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
@@ -76,30 +79,6 @@ private:
   double length(Point_index p, Point_index q) const
   {
     return std::sqrt((m_positions[q] - m_positions[p]).squared_length());
-  }
-
-  // Neighbor i shares the edge from vertex i to the next.
-  void find_neighbors()
-  {
-    struct Side
-    {
-      Point_index low, high;
-      std::size_t triangle, index;
-      bool operator<(const Side& other) const { return low < other.low || (low == other.low && high < other.high); }
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * m_triangles.size());
-    for (std::size_t t = 0; t != m_triangles.size(); ++t)
-      for (std::size_t i = 0; i != 3; ++i) {
-        const Point_index p = m_triangles[t][i], q = m_triangles[t][(i + 1) % 3];
-        sides.push_back(Side{ (std::min)(p, q), (std::max)(p, q), t, i });
-      }
-    std::sort(sides.begin(), sides.end());
-    m_neighbors.resize(m_triangles.size());
-    for (std::size_t s = 0; s + 1 < sides.size(); s += 2) {
-      m_neighbors[sides[s].triangle][sides[s].index] = sides[s + 1].triangle;
-      m_neighbors[sides[s + 1].triangle][sides[s + 1].index] = sides[s].triangle;
-    }
   }
 
   // The length of the third shortest edge at each vertex: at an opening, two edges of its outline and at least
@@ -295,7 +274,7 @@ private:
   const std::vector<Local_point>& m_positions;
   const std::vector<Local_vector>& m_normals;
   const std::vector<Triangle>& m_triangles;
-  std::vector<std::array<std::size_t, 3> > m_neighbors;
+  const Triangle_neighbors m_neighbors;
   std::vector<double> m_spacings;
   std::array<std::vector<Local_vector>, NUMBER_OF_WEIGHTINGS> m_sums; // of the normals at each vertex
   std::vector<unsigned char> m_is_seen, m_is_removed;
