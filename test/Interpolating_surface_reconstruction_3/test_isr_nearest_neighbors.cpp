@@ -77,6 +77,32 @@ void test_brute_force()
   compare(line, 16);
 }
 
+// Of points at the same distance, those that come first in the cloud come first, however many are asked for.
+void test_ties()
+{
+  std::vector<Local_point> grid;
+  for (int i = 0; i != 33; ++i)
+    for (int j = 0; j != 33; ++j)
+      grid.emplace_back(i / 32., j / 32., 0.);
+  const Indexed_points indexed(grid);
+  for (const std::size_t size : { 2u, 6u, 16u, 30u, 64u }) {
+    Nearest_neighbors neighbors(indexed.points, indexed.octree, INFINITE);
+    for (Point_index p = 0; p != grid.size(); ++p) {
+      std::vector<std::pair<double, Point_index> > all;
+      for (Point_index q = 0; q != grid.size(); ++q)
+        if (q != p)
+          all.emplace_back(CGAL::squared_distance(indexed.points[p], indexed.points[q]), q);
+      std::sort(all.begin(), all.end());
+      neighbors.for_point(p, size, size, [&](Point_index, const Star_neighborhood& n) {
+        assert(n.size() == size);
+        for (std::size_t i = 0; i != size; ++i)
+          assert(neighbors.indices()[i] == all[i].second);
+        return true;
+      });
+    }
+  }
+}
+
 void test_maximum_radius()
 {
   for (double radius : { 1e-6, .05, .2, 1., 10. })
@@ -202,6 +228,7 @@ void test_far_outlier()
 int main()
 {
   test_brute_force();
+  test_ties();
   test_maximum_radius();
   test_clusters_of_different_spacing();
   test_coincident_points();

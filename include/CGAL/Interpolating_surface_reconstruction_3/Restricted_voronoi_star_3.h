@@ -80,17 +80,25 @@ private:
   static Vector_3 covariance_normal(const Star_neighborhood& neighborhood)
   {
     const std::size_t n = (std::min)(neighborhood.size(), INITIAL_NEIGHBORS);
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     const double farthest = n == 0 ? 0. : neighborhood[n - 1].squared_length();
     const double scale = farthest > 0. ? 1. / std::sqrt(farthest) : 1.; // all may coincide in double
+    double x = 0., y = 0., z = 0., xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
     for (std::size_t i = 0; i != n; ++i) {
-      const Vector_3& d = neighborhood[i];
-      const Eigen::Vector3d v(d.x() * scale, d.y() * scale, d.z() * scale);
-      mean += v;
-      moments += v * v.transpose();
+      const double dx = neighborhood[i].x() * scale, dy = neighborhood[i].y() * scale, dz = neighborhood[i].z() * scale;
+      x += dx;
+      y += dy;
+      z += dz;
+      xx += dx * dx;
+      xy += dx * dy;
+      xz += dx * dz;
+      yy += dy * dy;
+      yz += dy * dz;
+      zz += dz * dz;
     }
-    moments -= mean * mean.transpose() / double(n + 1);
+    const double size = double(n + 1);
+    Eigen::Matrix3d moments; // the solver reads the lower triangle
+    moments << xx - x * x / size, 0., 0., xy - x * y / size, yy - y * y / size, 0., xz - x * z / size,
+      yz - y * z / size, zz - z * z / size;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(moments);
     const Eigen::Vector3d normal = solver.eigenvectors().col(0);
@@ -101,30 +109,14 @@ private:
   {
     if (neighborhood.size() == 0)
       return true;
-    Vector_3 u, v;
-    tangent_frame(star.normal, u, v);
-    const double far = neighborhood[neighborhood.size() - 1].squared_length();
-    internal::Clipped_polygon polygon(2. * std::sqrt(far));
+    const internal::Tangent_projection<MAXIMUM_NEIGHBORS> projection(neighborhood, star.normal);
+    internal::Clipped_polygon polygon(2. * std::sqrt(2. * projection.half_square(projection.size() - 1)));
     double squared_radius = polygon.squared_radius();
-    for (std::size_t i = 0; i != neighborhood.size(); ++i) {
-      const Vector_3& d = neighborhood[i];
-      const double squared_length = d.squared_length();
-      if (squared_length >= 4. * squared_radius)
-        break;
-      if (polygon.clip(d * u, d * v, squared_length / 2, static_cast<std::uint32_t>(i)))
+    for (std::size_t i = 0; i != projection.size() && projection.half_square(i) < 2. * squared_radius; ++i)
+      if (polygon.clip(projection.x(i), projection.y(i), projection.half_square(i), static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
-    }
-    internal::Star_diagonals(neighborhood, polygon, u, v, squared_radius).settle(star.link);
+    internal::Star_diagonals<MAXIMUM_NEIGHBORS>(neighborhood, projection, polygon, squared_radius).settle(star.link);
     return neighborhood.squared_radius() >= 4. * squared_radius;
-  }
-
-  static void tangent_frame(const Vector_3& n, Vector_3& u, Vector_3& v)
-  {
-    const double ax = std::abs(n.x()), ay = std::abs(n.y()), az = std::abs(n.z());
-    const Vector_3 axis = ax <= ay && ax <= az ? Vector_3(1, 0, 0) : ay <= az ? Vector_3(0, 1, 0) : Vector_3(0, 0, 1);
-    u = cross_product(n, axis);
-    u = u / std::sqrt(u.squared_length());
-    v = cross_product(n, u);
   }
 };
 

@@ -16,6 +16,8 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -26,7 +28,8 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // A convex polygon around the origin of a plane, cut by half-planes. Edge i goes from vertex i to
-// vertex i + 1 and remembers which half-plane made it.
+// vertex i + 1 and remembers which half-plane made it. Linear functions are evaluated at a group of vertices at a
+// time; past the last vertex, where the group is filled with origins, they are 0.
 class Clipped_polygon
 {
 public:
@@ -35,76 +38,71 @@ public:
   {
     const double x[4] = { size, size, -size, -size }, y[4] = { -size, size, size, -size };
     for (std::size_t i = 0; i != 4; ++i)
-      m_vertices[i] = Vertex{ x[i], y[i], Point_star::GAP };
+      set(i, Vertex{ x[i], y[i], Point_star::GAP });
+    fill_group();
   }
 
   std::size_t size() const { return m_size; }
-  std::uint32_t maker(std::size_t i) const { return m_vertices[i].maker; }
+  std::uint32_t maker(std::size_t i) const { return m_makers[i]; }
 
-  struct Extreme
-  {
-    std::size_t vertex;
-    double value;
-  };
+  // A cell with more edges than this keeps the nearest neighbors' edges.
+  static constexpr std::size_t CAPACITY = 64;
 
-  // The vertex where a x + b y is largest, and that value.
-  Extreme extreme(double a, double b) const
+  using Values = std::array<double, CAPACITY>;
+
+  // Evaluates a x + b y at the vertices; returns the maximum, which is not negative.
+  double evaluate(double a, double b, Values& values) const
   {
-    Extreme result{ 0, a * m_vertices[0].x + b * m_vertices[0].y };
-    for (std::size_t i = 1; i != m_size; ++i) {
-      const double value = a * m_vertices[i].x + b * m_vertices[i].y;
-      if (value > result.value)
-        result = Extreme{ i, value };
+    Group largest = Group::Zero();
+    for (std::size_t i = 0; i < m_size; i += GROUP_SIZE) {
+      const Group group = a * Eigen::Map<const Group>(m_x.data() + i) + b * Eigen::Map<const Group>(m_y.data() + i);
+      Eigen::Map<Group>(values.data() + i) = group;
+      largest = largest.max(group);
     }
-    return result;
+    return largest.maxCoeff();
   }
 
   double squared_radius() const
   {
     double result = 0.;
     for (std::size_t i = 0; i != m_size; ++i)
-      result = (std::max)(result, m_vertices[i].x * m_vertices[i].x + m_vertices[i].y * m_vertices[i].y);
+      result = (std::max)(result, m_x[i] * m_x[i] + m_y[i] * m_y[i]);
     return result;
   }
 
   // Cuts off a x + b y > c, where c > 0. Returns whether anything was cut.
   bool clip(double a, double b, double c, std::uint32_t maker)
   {
+    Values values;
     std::size_t first_out = CAPACITY;
-    double previous = a * m_vertices[m_size - 1].x + b * m_vertices[m_size - 1].y - c;
+    double last = a * m_x[m_size - 1] + b * m_y[m_size - 1];
     for (std::size_t i = 0; i != m_size; ++i) {
-      const double value = a * m_vertices[i].x + b * m_vertices[i].y - c;
-      m_values[i] = value;
-      if (value > 0. && previous <= 0.)
+      values[i] = a * m_x[i] + b * m_y[i];
+      if (values[i] > c && !(last > c))
         first_out = i;
-      previous = value;
+      last = values[i];
     }
     if (first_out == CAPACITY || m_size == CAPACITY)
       return false;
-    if (m_values[0] > 0. && m_values[m_size - 1] <= 0.)
-      first_out = 0;
-    std::size_t end_out = first_out; // first kept vertex after the ones cut off
-    std::size_t removed = 0;
-    while (removed != m_size && m_values[end_out] > 0.) {
-      end_out = next(end_out);
+    const auto is_out = [&](std::size_t i) { return values[i] > c; };
+    std::size_t end_out = next(first_out); // first kept vertex after the ones cut off
+    std::size_t removed = 1;
+    for (; is_out(end_out); end_out = next(end_out))
       ++removed;
-    }
-    if (removed == m_size)
-      return false;
-    const std::size_t before = first_out == 0 ? m_size - 1 : first_out - 1;
-    const std::size_t last_out = end_out == 0 ? m_size - 1 : end_out - 1;
-    Vertex entry = crossing(before, first_out);
+    const std::size_t before = previous(first_out), last_out = previous(end_out);
+    Vertex entry = crossing(before, values[before] - c, first_out, values[first_out] - c);
     entry.maker = maker;
-    Vertex exit = crossing(end_out, last_out);
-    exit.maker = m_vertices[last_out].maker;
+    Vertex exit = crossing(end_out, values[end_out] - c, last_out, values[last_out] - c);
+    exit.maker = m_makers[last_out];
     replace(first_out, removed, entry, exit);
     return true;
   }
 
-  // A cell with more edges than this keeps the nearest neighbors' edges.
-  static constexpr std::size_t CAPACITY = 64;
-
 private:
+  // Most cells have no more vertices.
+  static constexpr std::size_t GROUP_SIZE = 8;
+  using Group = Eigen::Array<double, GROUP_SIZE, 1>;
+
   struct Vertex
   {
     double x, y;
@@ -112,13 +110,26 @@ private:
   };
 
   std::size_t next(std::size_t i) const { return i + 1 == m_size ? 0 : i + 1; }
+  std::size_t previous(std::size_t i) const { return i == 0 ? m_size - 1 : i - 1; }
 
-  Vertex crossing(std::size_t kept, std::size_t cut) const
+  void set(std::size_t i, const Vertex& v)
   {
-    const Vertex& u = m_vertices[kept];
-    const Vertex& v = m_vertices[cut];
-    const double t = m_values[kept] / (m_values[kept] - m_values[cut]);
-    return Vertex{ u.x + t * (v.x - u.x), u.y + t * (v.y - u.y), 0 };
+    m_x[i] = v.x;
+    m_y[i] = v.y;
+    m_makers[i] = v.maker;
+  }
+
+  void copy(std::size_t from, std::size_t to)
+  {
+    m_x[to] = m_x[from];
+    m_y[to] = m_y[from];
+    m_makers[to] = m_makers[from];
+  }
+
+  Vertex crossing(std::size_t kept, double kept_value, std::size_t cut, double cut_value) const
+  {
+    const double t = kept_value / (kept_value - cut_value);
+    return Vertex{ m_x[kept] + t * (m_x[cut] - m_x[kept]), m_y[kept] + t * (m_y[cut] - m_y[kept]), 0 };
   }
 
   // Replaces `removed` vertices from `first` on, cyclically, by two.
@@ -128,25 +139,32 @@ private:
       const std::size_t tail = first + removed;
       if (removed == 1)
         for (std::size_t i = m_size; i-- > tail;)
-          m_vertices[i + 1] = m_vertices[i];
+          copy(i, i + 1);
       else if (removed > 2)
         for (std::size_t i = tail; i != m_size; ++i)
-          m_vertices[i + 2 - removed] = m_vertices[i];
-      m_vertices[first] = entry;
-      m_vertices[first + 1] = exit;
+          copy(i, i + 2 - removed);
+      set(first, entry);
+      set(first + 1, exit);
     } else {
       const std::size_t wrapped = first + removed - m_size; // vertices cut off at the beginning
       const std::size_t kept = m_size - removed;
       for (std::size_t i = 0; i != kept; ++i)
-        m_vertices[i] = m_vertices[i + wrapped];
-      m_vertices[kept] = entry;
-      m_vertices[kept + 1] = exit;
+        copy(i + wrapped, i);
+      set(kept, entry);
+      set(kept + 1, exit);
     }
     m_size = m_size + 2 - removed;
+    fill_group();
   }
 
-  std::array<Vertex, CAPACITY + 1> m_vertices;
-  std::array<double, CAPACITY + 1> m_values;
+  void fill_group()
+  {
+    for (std::size_t i = m_size; i % GROUP_SIZE != 0; ++i)
+      m_x[i] = m_y[i] = 0.;
+  }
+
+  std::array<double, CAPACITY> m_x, m_y;
+  std::array<std::uint32_t, CAPACITY> m_makers;
   std::size_t m_size;
 };
 

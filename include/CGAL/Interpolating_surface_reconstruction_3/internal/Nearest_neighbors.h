@@ -20,6 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,11 +58,11 @@ public:
     const double spacing = typical_spacing(leaf);
     // a disc of this radius holds `size` points at this spacing
     double radius = spacing * std::sqrt(double(size) / CGAL_PI) * GATHERING_MARGIN;
-    m_squared_guess = radius * radius;
+    m_guess_per_neighbor = radius * radius / double(size);
     for (bool is_exhaustive = false; !m_pending.empty(); radius *= 2) {
       const double gathered = (std::min)(radius, m_maximum_radius);
       const Local_box box = leaf.box.enlarged(gathered);
-      if (!gather(leaf, box, gathered)) {
+      if (!gather(leaf, leaf.box.enlarged(gathered * (1. + ROUNDING)), gathered)) {
         for (const Request& request : m_pending)
           serve_alone(request, maximum_size, visit);
         return;
@@ -93,7 +94,17 @@ private:
   };
 
   // Measured: smaller margins gather twice too often, larger ones too many candidates.
-  static constexpr double GATHERING_MARGIN = 1.2;
+  static constexpr double GATHERING_MARGIN = 1.5;
+
+  // Measured: with a smaller one too many neighbors are looked for twice, with a larger one too many are sorted.
+  static constexpr double GUESS_MARGIN = 1.4;
+
+  // Keys that sort_by_rank() takes; those around most points are fewer.
+  static constexpr std::size_t MAXIMUM_RANKED = 48;
+
+  // Candidates reach farther than the distances that count by this part, so that none is missed that is as far as
+  // the last one.
+  static constexpr double ROUNDING = 8. * double((std::numeric_limits<float>::epsilon)());
 
   // A distance of this part of a float coordinate is known to four digits, as its square is.
   static constexpr double RELATIVE_RESOLUTION = 1. / 128;
@@ -122,9 +133,15 @@ private:
     m_gathered_radius = NOT_GATHERED;
     m_candidates.clear();
     m_octree.for_each_leaf_overlapping(box, m_stack, [&](const Point_octree_3::Node& n) {
-      for (Point_index i = n.begin; i != n.end; ++i)
-        m_candidates.push_back(i);
-      return m_candidates.size() <= MAXIMUM_CANDIDATES;
+      const std::size_t first = m_candidates.size();
+      m_candidates.resize(first + (n.end - n.begin));
+      std::size_t end = first;
+      for (Point_index i = n.begin; i != n.end; ++i) {
+        m_candidates[end] = i;
+        end += box.contains(m_points[i]) ? 1u : 0u;
+      }
+      m_candidates.resize(end);
+      return end <= MAXIMUM_CANDIDATES;
     });
     const std::size_t n = m_candidates.size();
     if (n > MAXIMUM_CANDIDATES)
@@ -209,16 +226,56 @@ private:
   // Returns how many there are within the radius, or request.size.
   std::size_t select(const Request& request, double squared_reach)
   {
-    std::size_t found = collect((std::min)(m_squared_guess, squared_reach), request.point);
+    std::size_t found = collect((std::min)(m_guess_per_neighbor * double(request.size), squared_reach), request.point);
     if (found < request.size)
       found = collect(squared_reach, request.point);
-    if (found > request.size) {
-      std::nth_element(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(request.size),
-                       m_nearest.begin() + std::ptrdiff_t(found));
-      found = request.size;
+    if (found <= MAXIMUM_RANKED) {
+      sort_by_rank(found);
+    } else {
+      const std::ptrdiff_t kept = std::ptrdiff_t((std::min)(found, request.size));
+      std::nth_element(m_nearest.begin(), m_nearest.begin() + kept, m_nearest.begin() + std::ptrdiff_t(found));
+      std::sort(m_nearest.begin(), m_nearest.begin() + kept);
     }
-    std::sort(m_nearest.begin(), m_nearest.begin() + std::ptrdiff_t(found));
-    return found;
+    if (found < request.size)
+      return found;
+    // the next point is close to this one
+    m_guess_per_neighbor = GUESS_MARGIN * double(squared_distance(m_nearest[request.size - 1])) / double(request.size);
+    return request.size;
+  }
+
+  // That of a key.
+  static float squared_distance(std::uint64_t key)
+  {
+    const std::uint32_t bits = static_cast<std::uint32_t>(key >> 32);
+    float result;
+    std::memcpy(&result, &bits, sizeof result);
+    return result;
+  }
+
+  // Sorts the first n keys: each goes where the number of smaller ones says, which the compiler counts several at a
+  // time.
+  void sort_by_rank(std::size_t n)
+  {
+    std::array<std::uint64_t, MAXIMUM_RANKED> keys;
+    std::array<float, MAXIMUM_RANKED> distances;
+    for (std::size_t i = 0; i != n; ++i) {
+      keys[i] = m_nearest[i];
+      distances[i] = squared_distance(keys[i]);
+    }
+    for (std::size_t i = 0; i != n; ++i)
+      m_nearest[rank(distances.data(), n, i)] = keys[i];
+  }
+
+  // Of two at the same distance, the first comes first, as keys that are still in the order of the candidates do.
+  static std::size_t rank(const float* distances, std::size_t n, std::size_t i)
+  {
+    const float distance = distances[i];
+    std::int32_t result = 0;
+    for (std::size_t j = 0; j < n; ++j)
+      result += distances[j] < distance ? 1 : 0;
+    for (std::size_t j = 0; j < i; ++j)
+      result += distances[j] == distance ? 1 : 0;
+    return static_cast<std::size_t>(result);
   }
 
   // A key is the distance, then the position among the candidates, whose order is canonical: the bits
@@ -226,7 +283,7 @@ private:
   std::size_t collect(double squared_radius, Point_index center)
   {
     const float bound = float(squared_radius);
-    m_nearest.resize(m_candidates.size());
+    m_nearest.resize((std::max)(m_nearest.size(), m_candidates.size()));
     std::size_t found = 0;
     for (std::size_t i = 0; i != m_candidates.size(); ++i) {
       std::uint32_t bits;
@@ -245,13 +302,11 @@ private:
     constexpr double smallest = double((std::numeric_limits<float>::min)());
     if (found == 0)
       return squared_reach < smallest;
-    const std::uint32_t bits = static_cast<std::uint32_t>(m_nearest[0] >> 32);
-    float nearest;
-    std::memcpy(&nearest, &bits, sizeof nearest);
+    const double nearest = double(squared_distance(m_nearest[0]));
     double resolution = 0.;
     for (std::size_t a = 0; a != 3; ++a)
       resolution = (std::max)(resolution, (p[int(a)] - leaf.box.low[a]) * RELATIVE_RESOLUTION);
-    return double(nearest) < (std::max)(resolution * resolution, smallest);
+    return nearest < (std::max)(resolution * resolution, smallest);
   }
 
   // Like select().
@@ -273,12 +328,11 @@ private:
   // Returns the square of the radius that the offsets cover, at least `squared_radius`.
   double copy_offsets(const Local_point& p, std::size_t n, double squared_radius)
   {
-    m_offsets.clear();
-    m_indices.clear();
+    m_offsets.resize(n);
+    m_indices.resize(n);
     for (std::size_t i = 0; i != n; ++i) {
-      const Point_index index = static_cast<Point_index>(m_nearest[i]);
-      m_indices.push_back(index);
-      m_offsets.push_back(m_points[index] - p);
+      m_indices[i] = static_cast<Point_index>(m_nearest[i]);
+      m_offsets[i] = m_points[m_indices[i]] - p;
     }
     return n == 0 ? squared_radius : (std::max)(squared_radius, m_offsets.back().squared_length());
   }
@@ -287,7 +341,7 @@ private:
   const Point_octree_3& m_octree;
   double m_maximum_radius;
   Nearest_search m_search;
-  double m_squared_guess = 0.;
+  double m_guess_per_neighbor = 0.; // square of the radius that holds the neighbors, for each of them
   static constexpr double NOT_GATHERED = -1.;
   double m_gathered_radius = NOT_GATHERED; // around the box of the leaf, for the present candidates
   Local_box m_gathered_leaf{};

@@ -51,6 +51,13 @@ struct Local_box
            low[2] <= other.low[2] && other.high[2] <= high[2];
   }
 
+  // Without branches: for most points that are asked for, either answer is likely.
+  bool contains(const Local_point& p) const
+  {
+    return (low[0] <= p.x()) & (p.x() <= high[0]) & (low[1] <= p.y()) & (p.y() <= high[1]) & (low[2] <= p.z()) &
+           (p.z() <= high[2]);
+  }
+
   Local_box enlarged(double by) const
   {
     return Local_box{ { low[0] - by, low[1] - by, low[2] - by }, { high[0] + by, high[1] + by, high[2] + by } };
@@ -104,7 +111,7 @@ public:
              1);
   }
 
-  // Calls visit(leaf) for every leaf whose tight box overlaps `box`, until it returns false.
+  // Calls visit(leaf) for every leaf whose tight box overlaps `box`, in their order, until it returns false.
   template <typename Visit>
   void for_each_leaf_overlapping(const Local_box& box, Visit visit) const
   {
@@ -126,7 +133,7 @@ public:
         continue;
       if (n.number_of_children == 0 && !visit(n))
         return;
-      for (std::uint32_t c = 0; c != n.number_of_children; ++c)
+      for (std::uint32_t c = n.number_of_children; c-- != 0;)
         stack.push_back(n.first_child + c);
     }
   }

@@ -15,10 +15,12 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Tangent_projection.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,16 +34,17 @@ namespace internal {
 // the choice between the diagonals pr and qs of the quadrangle p, q, r, s is made by a measure of
 // the four points in space that is the same seen from each of them: of the two pairs of triangles, the
 // one whose larger circumscribed circle is smaller.
+template <std::size_t MaximumSize>
 class Star_diagonals
 {
 public:
   using Vector_3 = Star_neighborhood::Vector_3;
 
-  // `polygon` is the restricted Voronoi cell in the frame (u, v) of the tangent plane, and
-  // `squared_radius` that of its farthest vertex.
-  Star_diagonals(const Star_neighborhood& neighborhood, const Clipped_polygon& polygon, const Vector_3& u,
-                 const Vector_3& v, double squared_radius)
-    : m_neighborhood(neighborhood), m_polygon(polygon), m_u(u), m_v(v)
+  // `polygon` is the restricted Voronoi cell in the frame of the projection, and `squared_radius` that of its
+  // farthest vertex.
+  Star_diagonals(const Star_neighborhood& neighborhood, const Tangent_projection<MaximumSize>& projection,
+                 const Clipped_polygon& polygon, double squared_radius)
+    : m_neighborhood(neighborhood), m_projection(projection), m_polygon(polygon)
   {
     find_near_misses(squared_radius);
   }
@@ -70,25 +73,24 @@ private:
   {
     for (std::size_t i = 0; i != m_polygon.size(); ++i)
       m_near_misses[i] = Near_miss{ Point_star::GAP, 1. - NEAR };
-    const double squared_reach = 4. * squared_radius / ((1. - NEAR) * (1. - NEAR));
-    for (std::size_t i = 0; i != m_neighborhood.size(); ++i) {
-      const Vector_3& d = m_neighborhood[i];
-      const double squared_length = d.squared_length();
-      if (squared_length >= squared_reach)
-        break;
-      const Clipped_polygon::Extreme extreme = m_polygon.extreme(d * m_u, d * m_v);
-      const double value = 2. * extreme.value / squared_length;
-      if (value > m_near_misses[extreme.vertex].value && !has_edge(static_cast<std::uint32_t>(i)))
-        m_near_misses[extreme.vertex] = Near_miss{ static_cast<std::uint32_t>(i), value };
-    }
-  }
-
-  bool has_edge(std::uint32_t neighbor) const
-  {
+    const double reach = 2. * squared_radius / ((1. - NEAR) * (1. - NEAR));
+    std::bitset<MaximumSize> has_edge;
     for (std::size_t i = 0; i != m_polygon.size(); ++i)
-      if (m_polygon.maker(i) == neighbor)
-        return true;
-    return false;
+      if (m_polygon.maker(i) != Point_star::GAP)
+        has_edge.set(m_polygon.maker(i));
+    Clipped_polygon::Values values;
+    for (std::size_t i = 0; i != m_projection.size() && m_projection.half_square(i) < reach; ++i) {
+      if (has_edge[i])
+        continue;
+      const double largest = m_polygon.evaluate(m_projection.x(i), m_projection.y(i), values);
+      if (!(largest > (1. - NEAR) * m_projection.half_square(i)))
+        continue;
+      const auto vertex = static_cast<std::size_t>(
+        std::find(values.begin(), values.begin() + m_polygon.size(), largest) - values.begin());
+      const double value = largest / m_projection.half_square(i);
+      if (value > m_near_misses[vertex].value)
+        m_near_misses[vertex] = Near_miss{ static_cast<std::uint32_t>(i), value };
+    }
   }
 
   void link_with_additional_diagonals(std::vector<std::uint32_t>& link) const
@@ -138,9 +140,9 @@ private:
     return rx * vx + ry * vy < half_square(r) * (1. + NEAR);
   }
 
-  double x(std::uint32_t i) const { return m_neighborhood[i] * m_u; }
-  double y(std::uint32_t i) const { return m_neighborhood[i] * m_v; }
-  double half_square(std::uint32_t i) const { return m_neighborhood[i].squared_length() / 2; }
+  double x(std::uint32_t i) const { return m_projection.x(i); }
+  double y(std::uint32_t i) const { return m_projection.y(i); }
+  double half_square(std::uint32_t i) const { return m_projection.half_square(i); }
 
   bool is_own_diagonal_better(std::uint32_t q_index, std::uint32_t r_index, std::uint32_t s_index) const
   {
@@ -167,9 +169,9 @@ private:
   }
 
   const Star_neighborhood& m_neighborhood;
+  const Tangent_projection<MaximumSize>& m_projection;
   const Clipped_polygon& m_polygon;
-  const Vector_3 m_u, m_v;
-  std::array<Near_miss, Clipped_polygon::CAPACITY + 1> m_near_misses;
+  std::array<Near_miss, Clipped_polygon::CAPACITY> m_near_misses;
 };
 
 } // namespace internal
