@@ -207,43 +207,41 @@ private:
       ++exit;
     const std::size_t last = 6 - i - j - exit; // the indices of a cell add up to 6
     const Point_index first_apex = m_cells[c].vertices[last], last_apex = m_cells[c].vertices[exit];
-    m_apexes.clear();
+    m_inner_facets = 0;
     // Around the edge, from facet to facet, but for the two facets of the cell itself.
     Cell_index current = m_cells[c].neighbors[exit];
     Point_index apex = first_apex;
     bool label = m_labelling.label(current);
     const bool first_label = label;
     while (true) {
-      std::size_t k = 0;
-      while (m_cells[current].vertices[k] != apex)
-        ++k;
+      const auto& vertices = m_cells[current].vertices;
+      const std::size_t k = (vertices[1] == apex ? 1u : 0u) + (vertices[2] == apex ? 2u : 0u) +
+                            (vertices[3] == apex ? 3u : 0u);
       const Cell_index next = m_cells[current].neighbors[k];
-      for (k = 0; k != 4; ++k) {
-        const Point_index r = m_cells[current].vertices[k];
-        if (r != p && r != q && r != apex)
-          break;
-      }
-      apex = m_cells[current].vertices[k];
+      apex ^= p ^ q ^ vertices[0] ^ vertices[1] ^ vertices[2] ^ vertices[3]; // the fourth vertex
       if (next == c)
         break;
       const bool next_label = m_labelling.label(next);
-      if (next_label != label)
-        m_apexes.push_back(apex);
+      if (next_label != label) {
+        if (m_inner_facets < m_apexes.size())
+          m_apexes[m_inner_facets] = apex;
+        ++m_inner_facets;
+      }
       label = next_label;
       current = next;
     }
     const bool own = m_labelling.label(c);
-    m_facets_at_edge = m_apexes.size() + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
+    m_facets_at_edge = m_inner_facets + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
     const double now = energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
     m_largest_bending = (std::max)(m_largest_bending, m_bending);
     return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) - now;
   }
 
-  // The energy of an edge with surface facets to m_apexes and to the two others if they are on the surface.
+  // The energy of an edge with the inner facets of the surface and the two others if they are on it.
   double energy_of_edge(Point_index p, Point_index q, bool has_first, bool has_last, Point_index first,
                         Point_index last)
   {
-    const std::size_t inner = m_apexes.size(), facets = inner + (has_first ? 1 : 0) + (has_last ? 1 : 0);
+    const std::size_t inner = m_inner_facets, facets = inner + (has_first ? 1 : 0) + (has_last ? 1 : 0);
     m_bending = facets == 0 ? 0. : PI;
     if (facets == 0)
       return 0.;
@@ -315,11 +313,12 @@ private:
   Label_stars<Labelling> m_stars;
   std::vector<double> m_defect_costs;  // of the vertices; 0 out of the scope
   std::vector<int> m_defects;          // of the vertices, now
-  std::vector<Point_index> m_apexes;   // of the facets on the surface around an edge
   std::vector<unsigned char> m_agreed; // facets of the cells, as bits
   double m_agreement = 0.;
   double m_bending = 0., m_largest_bending = 0.; // at the last edge; at edges as they are
   std::size_t m_facets_at_edge = 0;              // on the surface, around the last edge
+  std::size_t m_inner_facets = 0;                // of them, those not of the cell, and the apexes of the first two
+  std::array<Point_index, 2> m_apexes{};
   Cell_index m_last = Cell_complex::NO_CELL;     // cell whose cost has been told
   // Of the last cell.
   Defects m_defects_after_change{};
