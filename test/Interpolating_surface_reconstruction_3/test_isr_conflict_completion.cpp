@@ -6,6 +6,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Local_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
@@ -388,6 +389,7 @@ Links stars_of(const Points& points)
 }
 
 // Returns the number of triangles added.
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::size_t complete(Hand_surface& s)
 {
   const Point_octree_3 octree(s.cloud.positions());
@@ -395,7 +397,7 @@ std::size_t complete(Hand_surface& s)
   isr_internal::Progress<decltype(visitor)> progress(std::function<bool(double)>(), visitor);
   progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::COMPLETION, 1.);
   std::size_t added = 0;
-  Conflict_completion<Builder>(s.cloud.positions(), octree, INFINITE, s.builder)(
+  Conflict_completion<ConcurrencyTag, Builder>(s.cloud.positions(), octree, INFINITE, s.builder)(
     progress,
     [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; });
   return added;
@@ -445,6 +447,66 @@ void test_spoilt_stars()
   }
 }
 
+// Many clusters, which threads share.
+void test_clusters_side_by_side()
+{
+  begin_case("clusters side by side");
+  const std::size_t n = 3000;
+  const Points points = with_noise(sphere_fibonacci(n).points, .005, 3);
+  Links links = stars_of(points);
+  for (std::size_t p = 0; p < n; p += 150)
+    links[p].assign(1, NO_POINT);
+  Hand_surface s(points, links);
+  ISR_CHECK(s.triangles().size() < 2 * n - 4);
+  ISR_CHECK(complete(s) >= 60);
+  const Triples triples = s.triangles();
+  ISR_CHECK_EQUAL(triples.size(), 2 * n - 4);
+  ISR_CHECK(validation::is_oriented_manifold(points, triples, Kernel()));
+#ifdef CGAL_LINKED_WITH_TBB
+  Hand_surface t(points, links);
+  complete<CGAL::Parallel_tag>(t);
+  ISR_CHECK(t.triangles() == triples);
+#endif
+}
+
+void test_local_surface()
+{
+  begin_case("local surface");
+  const Mesh mesh = globe(8, 12);
+  Hand_surface s(mesh.points, links_of(mesh.points.size(), mesh.triples));
+  const Triples before = s.triangles();
+  std::vector<Facet> facets;
+  s.builder.for_each_triangle([&](const Builder::Triangle& t, isr_internal::Parity_union_find::Element) {
+    facets.push_back(t);
+    std::sort(facets.back().begin(), facets.back().end());
+  });
+  const std::vector<unsigned char> was_conflict(mesh.points.size(), 0);
+  isr_internal::Local_surface<Builder> surface(s.builder, was_conflict);
+  for (int round = 0; round != 2; ++round) {
+    surface.reset();
+    for (const Facet& f : facets)
+      ISR_CHECK(surface.has_triangle(f) && surface.orientation(f));
+    for (Point_index p = 0; p != mesh.points.size(); ++p)
+      ISR_CHECK(!surface.is_conflict(p) && surface.is_complete(p));
+    std::vector<Point_index> joined;
+    const auto on_join = [&](Point_index p) { joined.push_back(p); };
+    surface.withdraw({ facets[3], facets[0], facets[3] }, on_join);
+    surface.withdraw({ facets[7] }, on_join);
+    std::set<Point_index> expected;
+    for (std::size_t k : { 0, 3, 7 })
+      expected.insert(facets[k].begin(), facets[k].end());
+    ISR_CHECK_EQUAL(joined.size(), expected.size());
+    ISR_CHECK(std::set<Point_index>(joined.begin(), joined.end()) == expected);
+    for (Point_index p = 0; p != mesh.points.size(); ++p)
+      ISR_CHECK_EQUAL(surface.is_conflict(p), expected.count(p) != 0);
+    for (std::size_t k = 0; k != facets.size(); ++k)
+      ISR_CHECK_EQUAL(surface.has_triangle(facets[k]), k != 0 && k != 3 && k != 7);
+    ISR_CHECK_EQUAL(surface.withdrawn().size(), 3u);
+    ISR_CHECK(std::is_sorted(surface.withdrawn().begin(), surface.withdrawn().end()));
+  }
+  ISR_CHECK(s.triangles() == before);
+}
+
 // What is known before is part of the result.
 void test_agreed_triangles_stay()
 {
@@ -482,6 +544,8 @@ int main()
   test_repair_that_may_not_lose();
   test_nothing_to_complete();
   test_spoilt_stars();
+  test_clusters_side_by_side();
+  test_local_surface();
   test_agreed_triangles_stay();
   return result();
 }

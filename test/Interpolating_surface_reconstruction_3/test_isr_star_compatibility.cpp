@@ -290,7 +290,9 @@ void test_parity_union_find()
     }
     for (std::size_t a = 0; a != n; ++a) {
       const std::vector<int> parity = search(a);
+      const auto unchanged = static_cast<const Parity_union_find&>(sets).find(static_cast<Point_index>(a));
       const auto root = sets.find(static_cast<Point_index>(a));
+      ISR_CHECK(unchanged.root == root.root && unchanged.is_flipped == root.is_flipped);
       for (std::size_t b = 0; b != n; ++b) {
         const auto other = sets.find(static_cast<Point_index>(b));
         ISR_CHECK_EQUAL(other.root == root.root, parity[b] != 2);

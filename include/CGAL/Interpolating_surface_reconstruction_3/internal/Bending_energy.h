@@ -215,8 +215,8 @@ private:
     const bool first_label = label;
     while (true) {
       const auto& vertices = m_cells[current].vertices;
-      const std::size_t k = (vertices[1] == apex ? 1u : 0u) + (vertices[2] == apex ? 2u : 0u) +
-                            (vertices[3] == apex ? 3u : 0u);
+      const std::size_t k =
+        (vertices[1] == apex ? 1u : 0u) + (vertices[2] == apex ? 2u : 0u) + (vertices[3] == apex ? 3u : 0u);
       const Cell_index next = m_cells[current].neighbors[k];
       apex ^= p ^ q ^ vertices[0] ^ vertices[1] ^ vertices[2] ^ vertices[3]; // the fourth vertex
       if (next == c)
@@ -319,7 +319,7 @@ private:
   std::size_t m_facets_at_edge = 0;              // on the surface, around the last edge
   std::size_t m_inner_facets = 0;                // of them, those not of the cell, and the apexes of the first two
   std::array<Point_index, 2> m_apexes{};
-  Cell_index m_last = Cell_complex::NO_CELL;     // cell whose cost has been told
+  Cell_index m_last = Cell_complex::NO_CELL; // cell whose cost has been told
   // Of the last cell.
   Defects m_defects_after_change{};
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};

@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Local_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -39,17 +40,14 @@ public:
   using Cell_index = Cell_complex::Cell_index;
   using Facet = std::array<Point_index, 3>;
 
-  // `is_conflict` tells of each point whether it is in conflict, whenever that is asked for.
-  Facet_knowledge(Builder& builder, const std::vector<unsigned char>& is_conflict)
-    : m_builder(builder), m_is_conflict(is_conflict)
+  Facet_knowledge(const Local_surface<Builder>& surface, std::size_t number_of_points)
+    : m_surface(surface), m_is_certain(number_of_points, 0), m_facets_at(number_of_points, 0)
   { }
 
   // `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
   void gather(const Cell_complex& cells, Cancellation_point& cancellation_point)
   {
-    m_is_certain.resize(m_is_conflict.size(), 0);
-    m_facets_at.resize(m_is_conflict.size(), 0);
     m_knowledge.assign(cells.size(), { { Knowledge::NONE, Knowledge::NONE, Knowledge::NONE, Knowledge::NONE } });
     find_triangles(cells, cancellation_point);
     find_certain_sites(cells, cancellation_point);
@@ -85,24 +83,14 @@ public:
     if (!is_on_surface(c, i))
       return std::nullopt;
     const Facet f = Cell_complex::facet(cells[c], i);
-    auto result = m_builder.orientation(f[0], f[1], f[2]);
+    auto result = m_surface.orientation(f);
     if (result && i % 2 == 0)
       result->is_flipped = !result->is_flipped;
     return result;
   }
 
   // Whether the cells show all of the surface at the point: it is in conflict, or its fan consists of facets.
-  bool is_in_scope(Point_index p) const { return p != NO_POINT && (m_is_conflict[p] != 0 || m_is_certain[p] != 0); }
-
-  // Whether the surface at the point is one closed fan.
-  bool is_complete(Point_index p) const { return !m_builder.is_open(p) || m_builder.is_fan_closed(p); }
-
-  bool has_triangle(const Facet& f) const
-  {
-    if (m_builder.is_open(f[0]))
-      return m_builder.find_triangle(f[0], f[1], f[2]) != Builder::NO_TRIANGLE;
-    return m_builder.compatibility().stars().view(f[0], f[1], f[2]) != Star_table::View::ABSENT;
-  }
+  bool is_in_scope(Point_index p) const { return p != NO_POINT && (m_surface.is_conflict(p) || m_is_certain[p] != 0); }
 
 private:
   using Triangle = typename Builder::Triangle;
@@ -134,7 +122,7 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         const Facet f = Cell_complex::facet(cells[c], i);
-        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && has_triangle(f))
+        if (cells[c].neighbors[i] >= c && !Cell_complex::is_infinite(f) && m_surface.has_triangle(f))
           learn(cells, c, i, Knowledge::ON_SURFACE);
       }
   }
@@ -153,14 +141,16 @@ private:
             ++m_facets_at[p];
       }
     for (Point_index p : cells.points()) {
+      m_is_certain[p] = 0;
+      if (m_surface.is_conflict(p) || !m_surface.is_complete(p))
+        continue;
       std::uint32_t triangles = 0;
-      m_builder.for_each_triangle_at(p, [&](const Triangle&) { ++triangles; });
-      m_is_certain[p] = !m_is_conflict[p] && is_complete(p) && m_facets_at[p] == triangles ? 1 : 0;
+      m_surface.for_each_triangle_at(p, [&](const Triangle&) { ++triangles; });
+      m_is_certain[p] = m_facets_at[p] == triangles ? 1 : 0;
     }
   }
 
-  Builder& m_builder;
-  const std::vector<unsigned char>& m_is_conflict;
+  const Local_surface<Builder>& m_surface;
   std::vector<unsigned char> m_is_certain;            // of each site
   std::vector<std::uint32_t> m_facets_at;             // of each site
   std::vector<std::array<Knowledge, 4> > m_knowledge; // of the facets of each cell

@@ -64,6 +64,15 @@ public:
     return Oriented_root{ e, flipped != 0 };
   }
 
+  // The same, without a change: several threads may ask.
+  Oriented_root find(Element e) const
+  {
+    unsigned char flipped = 0;
+    for (; m_parent[e] != e; e = m_parent[e])
+      flipped = static_cast<unsigned char>(flipped ^ m_is_flipped[e]);
+    return Oriented_root{ e, flipped != 0 };
+  }
+
   // Joins the sets of a and b so that b is oriented against a if `is_flipped`; false if they are in
   // one set already, the other way round.
   bool unite(Element a, Element b, bool is_flipped)

@@ -118,20 +118,21 @@ public:
   }
 
   // Orientation of the triangle (p, q, r) against the representative of its connected part, if the
-  // surface has the triangle.
-  std::optional<Parity_union_find::Oriented_root> orientation(Point_index p, Point_index q, Point_index r)
+  // surface has the triangle. Several threads may ask.
+  std::optional<Parity_union_find::Oriented_root> orientation(Point_index p, Point_index q, Point_index r) const
   {
+    const Parity_union_find& orientations = compatibility().orientations();
     if (!is_open(p)) {
       const Star_table::View view = m_compatibility.stars().view(p, q, r);
       if (view == Star_table::View::ABSENT)
         return std::nullopt;
-      const Parity_union_find::Oriented_root star = orientations().find(p);
+      const Parity_union_find::Oriented_root star = orientations.find(p);
       return Parity_union_find::Oriented_root{ star.root,
                                                star.is_flipped != (view == Star_table::View::OPPOSITE_ORIENTATION) };
     }
     for (const Corner& c : corners(p))
       if ((c.a == q && c.b == r) || (c.a == r && c.b == q)) {
-        const Parity_union_find::Oriented_root stored = orientation(c.triangle);
+        const Parity_union_find::Oriented_root stored = orientations.find(m_triangles[c.triangle].orientation);
         return Parity_union_find::Oriented_root{ stored.root, stored.is_flipped != (c.a == r) };
       }
     return std::nullopt;

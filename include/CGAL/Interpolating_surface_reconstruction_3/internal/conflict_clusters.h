@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_surroundings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
@@ -36,7 +36,7 @@ class Conflict_clusters
 public:
   Conflict_clusters(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
                     const Builder& builder)
-    : m_builder(builder), m_neighbors(points, octree, maximum_radius)
+    : m_builder(builder), m_surroundings(points, octree, maximum_radius, builder.compatibility().stars())
   {
     for (Point_index p : m_builder.open_points())
       if (!is_on_boundary(p) && !m_builder.is_fan_closed(p))
@@ -57,7 +57,7 @@ public:
     for (std::size_t i = 0; i != m_conflicts.size(); ++i) {
       if (i % CONFLICTS_PER_POLL == 0 && !progress.advance(0.))
         return {};
-      surroundings(m_conflicts[i], around);
+      m_surroundings(m_conflicts[i], around);
       for (Point_index q : around)
         if (positions[q] != NO_POINT)
           sets.unite(static_cast<Point_index>(i), positions[q], false);
@@ -75,29 +75,7 @@ public:
     return clusters;
   }
 
-  // The points around a conflict that its completion must see: its neighbors, its link, and the
-  // links of its link, so that their stars are complete; some of them repeatedly.
-  void surroundings(Point_index p, std::vector<Point_index>& result)
-  {
-    result.assign(1, p);
-    m_neighbors.for_point(p, NEIGHBORS, NEIGHBORS, [&](Point_index, const Star_neighborhood&) { return true; });
-    result.insert(result.end(), m_neighbors.indices().begin(), m_neighbors.indices().end());
-    const std::size_t before = result.size();
-    add_link(p, result);
-    const std::size_t inner = result.size();
-    for (std::size_t i = before; i != inner; ++i)
-      add_link(result[i], result);
-  }
-
 private:
-  void add_link(Point_index p, std::vector<Point_index>& result) const
-  {
-    const Star_table& stars = m_builder.compatibility().stars();
-    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
-      if (stars.neighbor(s) != NO_POINT)
-        result.push_back(stars.neighbor(s));
-  }
-
   // Whether the surface has a boundary at the point: its star has a gap, and so have the stars of the
   // next points along the boundary. Single open stars are conflicts.
   bool is_on_boundary(Point_index p) const
@@ -136,11 +114,8 @@ private:
 
   static constexpr std::size_t CONFLICTS_PER_POLL = 64;
 
-  // Two rings of a regular sample hold 18 points.
-  static constexpr std::size_t NEIGHBORS = 16;
-
   const Builder& m_builder;
-  Nearest_neighbors m_neighbors;
+  Conflict_surroundings m_surroundings;
   std::vector<Point_index> m_conflicts; // increasing
 };
 

@@ -18,10 +18,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #endif
 
@@ -54,6 +58,35 @@ void for_each_block(std::size_t n, std::size_t block_size, const Body& body)
   for (std::size_t begin = 0; begin < n; begin += block_size)
     body(begin, (std::min)(n, begin + block_size));
 }
+
+// An object for each thread, made when it first asks for one.
+template <typename ConcurrencyTag, typename T>
+class Thread_locals
+{
+public:
+  explicit Thread_locals(std::function<std::unique_ptr<T>()> make) : m_make(std::move(make)) { }
+
+  T& local()
+  {
+    std::unique_ptr<T>* object = nullptr;
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (Is_parallel<ConcurrencyTag>::value)
+      object = &m_objects.local();
+#endif
+    if (object == nullptr)
+      object = &m_object;
+    if (*object == nullptr)
+      *object = m_make();
+    return **object;
+  }
+
+private:
+  std::function<std::unique_ptr<T>()> m_make;
+  std::unique_ptr<T> m_object; // without threads
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::enumerable_thread_specific<std::unique_ptr<T> > m_objects;
+#endif
+};
 
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3

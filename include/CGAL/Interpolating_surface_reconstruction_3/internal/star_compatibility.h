@@ -119,6 +119,7 @@ public:
 
   // Orientations of the stars, as far as agreed triangles tie them to each other.
   Parity_union_find& orientations() { return m_orientations; }
+  const Parity_union_find& orientations() const { return m_orientations; }
 
 private:
   enum class Agreement : unsigned char
