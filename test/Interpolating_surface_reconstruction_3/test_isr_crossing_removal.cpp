@@ -88,11 +88,18 @@ Triples with_spike(const Mesh& mesh, std::size_t n)
   return triples;
 }
 
-std::size_t crossings_of(const Hand_surface& s, std::size_t first)
+template <typename IsSuspect>
+std::size_t crossings_of(const Hand_surface& s, std::size_t first, const IsSuspect& is_suspect)
 {
   isr_internal::No_cancellation never;
-  return Surface_crossings<Builder>(s.cloud.positions(), s.builder)(static_cast<Builder::Triangle_index>(first), never)
+  return Surface_crossings<Builder>(s.cloud.positions(), s.builder)(static_cast<Builder::Triangle_index>(first),
+                                                                    is_suspect, never)
     .size();
+}
+
+std::size_t crossings_of(const Hand_surface& s, std::size_t first)
+{
+  return crossings_of(s, first, [](const Builder::Triangle&) { return true; });
 }
 
 bool remove_crossings(Hand_surface& s, std::size_t first = 0)
@@ -114,6 +121,11 @@ void test_spike()
   const std::size_t all = s.builder.number_of_stored_triangles();
   ISR_CHECK(crossings_of(s, all - 3) != 0);
   ISR_CHECK_EQUAL(crossings_of(s, all), 0u);
+  const auto is_at_tip = [&](const Builder::Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](Point_index p) { return s.cloud.input_index(p) == 0; });
+  };
+  ISR_CHECK_EQUAL(crossings_of(s, 0, is_at_tip), crossings_of(s, all - 3));
+  ISR_CHECK_EQUAL(crossings_of(s, 0, [](const Builder::Triangle&) { return false; }), 0u);
   ISR_CHECK(!remove_crossings(s, all));
   ISR_CHECK(remove_crossings(s, all - 3));
   const Triples triples = s.triangles();

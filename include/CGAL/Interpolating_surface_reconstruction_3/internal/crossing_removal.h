@@ -100,7 +100,12 @@ private:
   template <typename CancellationPoint>
   bool find_crossings(typename Builder::Triangle_index first, CancellationPoint& cancellation_point)
   {
-    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, cancellation_point);
+    const auto is_suspect = [&](Triangle t) {
+      std::sort(t.begin(), t.end());
+      return !std::binary_search(m_kept.begin(), m_kept.end(), t);
+    };
+    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, is_suspect, cancellation_point);
+    m_kept.clear();
     for (std::size_t i = 0, n = m_crossings.size(); i != n; ++i)
       m_crossings.emplace_back(m_crossings[i].second, m_crossings[i].first);
     std::sort(m_crossings.begin(), m_crossings.end());
@@ -269,7 +274,21 @@ private:
           m_builder.restore(t);
         return false;
       }
+    keep(std::move(removed), std::move(added));
     return true;
+  }
+
+  // Remembers the triangles that are in both surfaces: their crossings have been found before.
+  void keep(Triangles old, Triangles replacement)
+  {
+    for (Triangles* triangles : { &old, &replacement }) {
+      for (Triangle& t : *triangles)
+        std::sort(t.begin(), t.end());
+      std::sort(triangles->begin(), triangles->end());
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(m_kept.size());
+    std::set_intersection(old.begin(), old.end(), replacement.begin(), replacement.end(), std::back_inserter(m_kept));
+    std::inplace_merge(m_kept.begin(), m_kept.begin() + middle, m_kept.end());
   }
 
   void remove(const Triangle& t) { m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2])); }
@@ -279,6 +298,7 @@ private:
   Builder& m_builder;
   std::vector<Crossing> m_crossings; // from either side, sorted
   Triangles m_triangles;             // of the surface as it was, oriented
+  Triangles m_kept;                  // by replacements since then, sorted, with increasing vertices
   std::vector<Local_vector> m_normals;
   std::size_t m_points_left = MAXIMUM_POINTS;
   std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point

@@ -48,16 +48,17 @@ public:
     : m_points(points), m_builder(builder)
   { }
 
-  // Crossings of the triangles stored from `first` on with any others, sorted. Where the boxes of very many pairs
+  // Crossings of the triangles with `is_suspect(triangle)` stored from `first` on with any others, sorted. Where the boxes of very many pairs
   // meet, as of thin triangles, each of the former triangles counts as one that crosses itself.
   // `cancellation_point()` is called again and again and may throw.
-  template <typename CancellationPoint>
-  std::vector<Crossing> operator()(Triangle_index first, CancellationPoint& cancellation_point)
+  template <typename IsSuspect, typename CancellationPoint>
+  std::vector<Crossing> operator()(Triangle_index first, const IsSuspect& is_suspect,
+                                   CancellationPoint& cancellation_point)
   {
     m_late.clear();
     m_crossings.clear();
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
-      if (!m_builder.is_removed(t))
+      if (!m_builder.is_removed(t) && is_suspect(m_builder.triangle(t)))
         add_box(m_builder.triangle(t), m_late);
     m_pairs_left = PAIRS_PER_POINT * m_points.size();
     if (!m_late.empty()) {
