@@ -493,7 +493,7 @@ void test_local_surface()
     surface.withdraw({ facets[3], facets[0], facets[3] }, on_join);
     surface.withdraw({ facets[7] }, on_join);
     std::set<Point_index> expected;
-    for (std::size_t k : { 0, 3, 7 })
+    for (std::size_t k : { 0u, 3u, 7u })
       expected.insert(facets[k].begin(), facets[k].end());
     ISR_CHECK_EQUAL(joined.size(), expected.size());
     ISR_CHECK(std::set<Point_index>(joined.begin(), joined.end()) == expected);
