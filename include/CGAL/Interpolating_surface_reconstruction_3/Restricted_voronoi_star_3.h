@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_diagonals.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Tangent_projection.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -16,7 +16,6 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_surroundings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
