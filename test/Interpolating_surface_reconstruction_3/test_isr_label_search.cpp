@@ -39,6 +39,7 @@ using isr_internal::Label_search;
 using isr_internal::Local_point;
 using isr_internal::Local_vector;
 using isr_internal::No_cancellation;
+using isr_internal::Search_effort;
 using Cell_index = Cell_complex::Cell_index;
 using Point_index = isr_internal::Point_index;
 
@@ -241,7 +242,7 @@ void test_cost_of_change()
 }
 
 template <typename IsFree>
-void search(Sample& s, std::size_t& effort, const IsFree& is_free)
+void search(Sample& s, Search_effort& effort, const IsFree& is_free)
 {
   Label_search<Labels>(
     s.cells, s.positions, s.labels, is_free, is_free, [](Cell_index, std::size_t) { return false; },
@@ -265,20 +266,48 @@ void test_tunnel()
     ISR_CHECK(before > best);
     const std::vector<bool> labels = s.labels.all();
 
-    std::size_t effort = 0;
+    Search_effort effort{ 0, 0 };
     search(s, effort, [](Cell_index) { return true; });
     ISR_CHECK(s.labels.all() == labels);
-    effort = 1000000;
+    effort.all = 1000000;
     search(s, effort, [](Cell_index) { return false; });
     ISR_CHECK(s.labels.all() == labels);
-    ISR_CHECK_EQUAL(effort, 1000000u);
+    ISR_CHECK_EQUAL(effort.all, 1000000u);
 
     search(s, effort, [](Cell_index) { return true; });
-    ISR_CHECK(effort < 1000000);
+    ISR_CHECK(effort.all < 1000000);
     ISR_CHECK_EQUAL(number_of_defects(s), 0);
     ISR_CHECK_EQUAL(euler_characteristic(s), 2);
     ISR_CHECK(energy(s, costs) <= best + 1e-9);
   }
+}
+
+// Where chains leave folds, kicks lower the energy further, the same way every time, and spend no more than they may.
+void test_kicks()
+{
+  double without_kicks = 0., with_kicks = 0.;
+  for (std::uint64_t seed = 1; seed != 5; ++seed) {
+    begin_case("kicks, seed " + std::to_string(seed));
+    constexpr std::size_t kicks = 50000;
+    std::vector<std::vector<bool> > labels;
+    for (const std::size_t effort_of_kicks : { std::size_t(0), kicks, kicks }) {
+      Sample s(random_cube(150, seed));
+      s.fill();
+      const std::vector<double> costs = costs_of_defects(s);
+      for (Cell_index c = 0; c != s.cells.size(); ++c)
+        if (s.is_finite(c) && c % 2 == 0)
+          s.labels.flip(c);
+      Search_effort effort{ 1000000, effort_of_kicks };
+      search(s, effort, [](Cell_index) { return true; });
+      (effort_of_kicks == 0 ? without_kicks : with_kicks) += energy(s, costs);
+      labels.push_back(s.labels.all());
+      ISR_CHECK(effort.all > 0);
+      ISR_CHECK_EQUAL(effort.of_kicks, 0u);
+    }
+    ISR_CHECK(labels[0] != labels[1]);
+    ISR_CHECK(labels[1] == labels[2]);
+  }
+  ISR_CHECK(with_kicks / 2. < .95 * without_kicks);
 }
 
 // Components are small below 64 points.
@@ -315,6 +344,7 @@ int main()
 {
   test_cost_of_change();
   test_tunnel();
+  test_kicks();
   test_small_part();
   return isr_test::result();
 }

@@ -47,7 +47,7 @@ struct Completed_cluster
   std::vector<Triangle> withdrawn;    // in order, with increasing vertices
   std::vector<Point_index> conflicts; // those of the cluster and all that have joined them
   std::vector<Triangle> surface;      // in order, with increasing vertices
-  std::size_t effort = 0;             // that the search has spent
+  std::size_t effort = 0;             // that the searches have spent
 };
 
 // Completes the surface at a cluster of conflicts (thesis 6.3, "Compatibility"): the conflicting points
@@ -71,10 +71,9 @@ public:
   Cluster_completion(const Cluster_completion&) = delete;
   Cluster_completion& operator=(const Cluster_completion&) = delete;
 
-  // The searches try at most `maximum_effort` changes of labels. `cancellation_point()` is called again and again
-  // and may throw.
+  // The searches spend at most `maximum_effort`. `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
-  Completed_cluster operator()(const std::vector<Point_index>& cluster, std::size_t maximum_effort,
+  Completed_cluster operator()(const std::vector<Point_index>& cluster, const Search_effort& maximum_effort,
                                Cancellation_point& cancellation_point)
   {
     m_surface.reset();
@@ -85,18 +84,20 @@ public:
     for (Point_index p : cluster)
       add_to_cluster(p, cancellation_point);
     Completed_cluster result;
-    std::size_t effort = maximum_effort;
+    // Half of the kicks are for the second surface.
+    Search_effort effort{ maximum_effort.all, maximum_effort.of_kicks / 2 };
     Cell_complex cells = triangulate_with_surface(cancellation_point);
     // Once: stars that contradict the second surface would go on to spread.
     if (cells.size() != 0 && !find_surface_or_withdraw(cells, true, effort, result.surface, cancellation_point)) {
       cells = Cell_complex();
       cells = Cell_complex(m_points, m_sites, cancellation_point);
+      effort.of_kicks += maximum_effort.of_kicks / 2;
       if (cells.size() != 0)
         find_surface_or_withdraw(cells, false, effort, result.surface, cancellation_point);
     }
     result.withdrawn = m_surface.withdrawn();
     result.conflicts = m_cluster;
-    result.effort = maximum_effort - effort;
+    result.effort = maximum_effort.all - effort.all;
     return result;
   }
 
@@ -117,7 +118,7 @@ private:
   // Finds what the surface of the labelling of the cells adds, or withdraws the stars that it contradicts and
   // returns false, if that is allowed.
   template <typename CancellationPoint>
-  bool find_surface_or_withdraw(const Cell_complex& cells, bool may_withdraw, std::size_t& effort,
+  bool find_surface_or_withdraw(const Cell_complex& cells, bool may_withdraw, Search_effort& effort,
                                 std::vector<Triangle>& surface, CancellationPoint& cancellation_point)
   {
     m_knowledge.gather(cells, cancellation_point);
@@ -134,7 +135,7 @@ private:
 
   // Cells beside agreed triangles may change as long as these may be withdrawn.
   template <typename CancellationPoint>
-  Cell_labelling label(const Cell_complex& cells, bool may_withdraw, std::size_t& effort,
+  Cell_labelling label(const Cell_complex& cells, bool may_withdraw, Search_effort& effort,
                        CancellationPoint& cancellation_point)
   {
     const auto known = [&](Cell_index c, std::size_t i) { return m_knowledge.certainty(c, i); };

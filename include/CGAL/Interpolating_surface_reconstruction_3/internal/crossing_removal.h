@@ -244,7 +244,7 @@ private:
       cancellation_point);
     const auto doubts =
       std::count_if(m_component.begin(), m_component.end(), [&](Point_index p) { return m_is_in_doubt[p] != 0; });
-    std::size_t effort = SEARCH_EFFORT_PER_POINT * static_cast<std::size_t>(doubts);
+    Search_effort effort{ SEARCH_EFFORT_PER_POINT * static_cast<std::size_t>(doubts), 0 };
     search(effort, cancellation_point);
   }
 
