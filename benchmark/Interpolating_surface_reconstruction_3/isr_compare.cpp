@@ -14,6 +14,7 @@
 #include "comparison_report.h"
 #include "measures/mesh_statistics.h"
 #include "models/model_files.h"
+#include "models/rotation.h"
 #include "measures/peak_memory.h"
 #include "reconstruction_methods.h"
 #include "measures/self_intersections.h"
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -42,6 +44,8 @@ struct Options
   std::size_t intersection_limit = 200000;
   bool with_metrics = true;
   bool measure_memory = false;
+  bool has_rotation = false;
+  unsigned int rotation_seed = 0;
   std::string csv_file;
   std::vector<std::string> paths;
 };
@@ -58,6 +62,8 @@ const char* const usage =
   "  --threads N              CTC, PCR and LIS with Parallel_tag on N > 1 threads (default: one\n"
   "                           thread, Sequential_tag)\n"
   "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
+  "  --rotate SEED            rotate the models at random first; what is decided by ties and near\n"
+  "                           ties then differs, what is sure does not\n"
   "  --no-metrics             no distances to the reference and no self-intersections\n"
   "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
   "  --csv FILE               write the rows to FILE as well\n"
@@ -83,7 +89,10 @@ Options parse(int argc, char** argv)
       options.threads = std::stoul(value(i));
     else if (word == "--keep-boundaries")
       keep_boundaries = true;
-    else if (word == "--no-metrics")
+    else if (word == "--rotate") {
+      options.has_rotation = true;
+      options.rotation_seed = static_cast<unsigned int>(std::stoul(value(i)));
+    } else if (word == "--no-metrics")
       options.with_metrics = false;
     else if (word == "--intersection-limit")
       options.intersection_limit = std::stoul(value(i));
@@ -105,9 +114,17 @@ Options parse(int argc, char** argv)
   return options;
 }
 
+Model read(const std::filesystem::path& file, const Options& options)
+{
+  Model model = read_model(file);
+  if (options.has_rotation)
+    transform(model, random_rotation(options.rotation_seed));
+  return model;
+}
+
 void measure_memory(const Options& options)
 {
-  Model model = read_model(options.paths.front());
+  Model model = read(options.paths.front(), options);
   set_reference_normals(model);
   const Method& method = *options.methods.front();
   const Peak_memory memory;
@@ -188,7 +205,7 @@ int main(int argc, char** argv)
     }
     Report report(std::cout, options.csv_file);
     for (const auto& file : find_model_files(options.paths))
-      compare(read_model(file), options, report);
+      compare(read(file, options), options, report);
     report.summarize();
   } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';
