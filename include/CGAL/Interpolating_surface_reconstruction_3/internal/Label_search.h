@@ -126,6 +126,7 @@ private:
     }
     std::vector<Cell_index> changed;
     while (m_chains.effort() != 0 && !folded.empty()) {
+      cancellation_point();
       const std::size_t k = random(folded.size());
       if (!is_folded(folded[k])) {
         folded[k] = folded.back();
