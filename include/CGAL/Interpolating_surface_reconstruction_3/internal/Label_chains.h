@@ -47,6 +47,13 @@ public:
   };
   using Changes = std::vector<Change>;
 
+  static std::vector<Cell_index> cells_of(const Changes& changes)
+  {
+    std::vector<Cell_index> result(changes.size());
+    std::transform(changes.begin(), changes.end(), result.begin(), [](const Change& change) { return change.cell; });
+    return result;
+  }
+
   // The parameters are those of Label_search.
   template <typename IsFree, typename IsSeed, typename IsAgreed, typename IsInScope, typename Cancellation_point>
   Label_chains(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
@@ -101,6 +108,8 @@ public:
   {
     double result = 0.;
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS && !starts.empty() && m_effort != 0; ++round) {
+      std::sort(starts.begin(), starts.end());
+      starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
       const std::vector<Link> seeds = find_seeds(starts, cancellation_point);
       starts.clear();
       for (const Link& seed : seeds) {
@@ -112,8 +121,6 @@ public:
         for (const Change& link : m_links)
           wake_around(link.cell, starts);
       }
-      std::sort(starts.begin(), starts.end());
-      starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
     }
     return result;
   }
@@ -213,16 +220,9 @@ private:
       for (const Change& link : m_links)
         m_state[link.cell] = State::ASLEEP;
     take_back(m_links, best);
-    if (best > 1 && has_small_part())
+    if (best > 1 && is_small_part_at(cells_of(m_links)))
       take_back(m_links, 0);
     return m_links.empty() ? 0. : least;
-  }
-
-  bool has_small_part()
-  {
-    std::vector<Cell_index> cells(m_links.size());
-    std::transform(m_links.begin(), m_links.end(), cells.begin(), [](const Change& link) { return link.cell; });
-    return m_has_small_part(cells);
   }
 
   // Changes the cell; its neighbors become candidates.

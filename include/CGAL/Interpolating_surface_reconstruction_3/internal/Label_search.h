@@ -23,6 +23,7 @@
 #include <iterator>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -64,12 +65,12 @@ public:
     m_chains.set_effort(effort.all);
     Changes changes;
     m_chains.follow(all_cells(), MAXIMUM_CHAIN, changes, cancellation_point);
-    const std::size_t reserve = m_chains.effort() - (std::min)(m_chains.effort(), effort.of_kicks);
-    m_chains.set_effort(m_chains.effort() - reserve);
-    effort.of_kicks -= m_chains.effort();
+    const std::size_t left = m_chains.effort(), of_kicks = (std::min)(left, effort.of_kicks);
+    m_chains.set_effort(of_kicks);
     kick(cancellation_point);
-    effort.of_kicks += m_chains.effort();
-    m_chains.set_effort(m_chains.effort() + reserve);
+    const std::size_t spent = of_kicks - m_chains.effort();
+    effort.of_kicks -= spent;
+    m_chains.set_effort(left - spent);
     restore_agreed_facets(cancellation_point);
     effort.all = m_chains.effort();
   }
@@ -147,9 +148,7 @@ private:
     std::vector<Cell_index> starts;
     for (const Change& change : changes)
       m_chains.wake_around(change.cell, starts);
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
-    cost += m_chains.follow(starts, MAXIMUM_CHAIN, changes, cancellation_point);
+    cost += m_chains.follow(std::move(starts), MAXIMUM_CHAIN, changes, cancellation_point);
     find_changed(changes, changed);
     if (cost < -ROUNDING * scale && !changed.empty() && !m_chains.is_small_part_at(changed))
       return true;
@@ -176,8 +175,7 @@ private:
   // The cells that have changed an odd number of times.
   static void find_changed(const Changes& changes, std::vector<Cell_index>& changed)
   {
-    std::vector<Cell_index> cells(changes.size());
-    std::transform(changes.begin(), changes.end(), cells.begin(), [](const Change& change) { return change.cell; });
+    std::vector<Cell_index> cells = Label_chains<Labelling>::cells_of(changes);
     std::sort(cells.begin(), cells.end());
     changed.clear();
     for (auto it = cells.begin(); it != cells.end();) {
