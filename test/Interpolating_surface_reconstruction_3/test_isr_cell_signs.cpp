@@ -98,7 +98,7 @@ void test_signs()
   }
 }
 
-// The sum of the energies of all facets and cells, by definition.
+// The sum of the energies of all facets, part of their area less the flux of the normals, and of all cells.
 double energy(const Cells& s, const std::vector<float>& values, const in::Oriented_labelling& labelling)
 {
   double result = 0.;
@@ -116,7 +116,7 @@ double energy(const Cells& s, const std::vector<float>& values, const in::Orient
           n * (s.positions[s.cells[c].vertices[i]] - s.positions[f[0]]) > 0.)
         n = -n;
       if (labelling.label(c) && labelling.is_surface(c, i))
-        result += size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
+        result += .6 * size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
     }
     if (!in::Cell_complex::is_infinite(s.cells[c]) && labelling.label(c) != (values[c] < 0.f))
       result += std::abs(double(values[c])) * area;

@@ -48,24 +48,21 @@ class Minimum_cut
 public:
   using Node = std::uint32_t;
 
-  // What a node pays for each label, and two nodes if only the first, or only the second is inside.
-  // Negative costs count as zero. They are in memory together with the graph, so that they are short.
-  struct Node_cost
-  {
-    float if_outside, if_inside;
-  };
+  // What two nodes pay if only the first is inside: not negative, but for rounding. Costs are in memory together with
+  // the graph, so that they are short.
   struct Pair_cost
   {
-    Node first, second;
-    float if_first, if_second;
+    Node inside, outside;
+    float cost;
   };
 
-  Minimum_cut(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs)
-    : m_inside(static_cast<Node>(nodes.size())), m_outside(m_inside + 1)
+  // `inside_costs` has what each node pays for label inside more than for outside.
+  Minimum_cut(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
+    : m_inside(static_cast<Node>(inside_costs.size())), m_outside(m_inside + 1)
   {
-    find_unit(nodes, pairs);
-    connect(nodes, pairs);
-    set_capacities(nodes, pairs);
+    find_unit(inside_costs, pairs);
+    connect(inside_costs, pairs);
+    set_capacities(inside_costs, pairs);
   }
 
   // Of each node, 1 inside: as few are inside as can be. `cancellation_point()` is called again and again
@@ -107,51 +104,45 @@ private:
   // All capacities together are less than two to this power: no flow overflows.
   static constexpr int CAPACITY_BITS = 62;
 
-  // The energy of a facet along its normals is zero but for rounding.
-  static double non_negative(double cost) { return (std::max)(cost, 0.); }
-
   // A power of two, so that the scale of the costs does not matter.
-  void find_unit(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs)
+  void find_unit(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
   {
     double total = 0.;
-    for (const Node_cost& n : nodes)
-      total += non_negative(n.if_outside) + non_negative(n.if_inside);
+    for (float cost : inside_costs)
+      total += std::abs(double(cost));
     for (const Pair_cost& p : pairs)
-      total += non_negative(p.if_first) + non_negative(p.if_second);
+      total += std::abs(double(p.cost));
     std::frexp(total, &m_exponent);
   }
 
   Capacity scaled(double cost) const
   {
-    return static_cast<Capacity>(std::ldexp(non_negative(cost), CAPACITY_BITS - m_exponent));
+    return static_cast<Capacity>(std::ldexp((std::max)(cost, 0.), CAPACITY_BITS - m_exponent));
   }
 
   // Calls visit(arc, reverse, from, to, capacity, reverse capacity) for each arc and its reverse. Arcs are in
   // the order of their sources; `next` has the first one of each.
   template <typename Visit>
-  void for_each_arc(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs,
+  void for_each_arc(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs,
                     std::vector<std::uint32_t> next, const Visit& visit) const
   {
     const auto add = [&](Node from, Node to, Capacity capacity, Capacity reverse_capacity) {
       const std::uint32_t arc = next[from]++, reverse = next[to]++;
       visit(arc, reverse, from, to, capacity, reverse_capacity);
     };
-    for (Node k = 0; k != m_inside; ++k) {
-      // What both labels cost makes no difference.
-      const Capacity difference = scaled(nodes[k].if_outside) - scaled(nodes[k].if_inside);
-      if (difference > 0)
-        add(m_inside, k, difference, 0);
+    for (Node k = 0; k != m_inside; ++k)
+      if (inside_costs[k] < 0.f)
+        add(m_inside, k, scaled(-inside_costs[k]), 0);
       else
-        add(k, m_outside, -difference, 0);
-    }
+        add(k, m_outside, scaled(inside_costs[k]), 0);
     for (const Pair_cost& p : pairs)
-      add(p.first, p.second, scaled(p.if_first), scaled(p.if_second));
+      add(p.inside, p.outside, scaled(p.cost), 0);
   }
 
-  void connect(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs)
+  void connect(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
   {
     m_first.assign(std::size_t(m_outside) + 2, 0);
-    for_each_arc(nodes, pairs, std::vector<std::uint32_t>(m_first.size(), 0),
+    for_each_arc(inside_costs, pairs, std::vector<std::uint32_t>(m_first.size(), 0),
                  [this](std::uint32_t, std::uint32_t, Node from, Node to, Capacity, Capacity) {
                    ++m_first[from + 1];
                    ++m_first[to + 1];
@@ -159,7 +150,7 @@ private:
     for (std::size_t v = 1; v != m_first.size(); ++v)
       m_first[v] += m_first[v - 1];
     std::vector<std::pair<Node, Node> > arcs(m_first.back());
-    for_each_arc(nodes, pairs, m_first,
+    for_each_arc(inside_costs, pairs, m_first,
                  [&](std::uint32_t arc, std::uint32_t reverse, Node from, Node to, Capacity, Capacity) {
                    arcs[arc] = { from, to };
                    arcs[reverse] = { to, from };
@@ -167,11 +158,11 @@ private:
     m_graph = Graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), m_outside + 1);
   }
 
-  void set_capacities(const std::vector<Node_cost>& nodes, const std::vector<Pair_cost>& pairs)
+  void set_capacities(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
   {
     m_capacities.resize(m_first.back());
     m_reverse.resize(m_first.back());
-    for_each_arc(nodes, pairs, std::move(m_first),
+    for_each_arc(inside_costs, pairs, std::move(m_first),
                  [this](std::uint32_t arc, std::uint32_t reverse, Node, Node, Capacity c, Capacity reverse_c) {
                    m_capacities[arc] = c;
                    m_capacities[reverse] = reverse_c;

@@ -54,8 +54,9 @@ struct Local_box
   // Without branches: for most points that are asked for, either answer is likely.
   bool contains(const Local_point& p) const
   {
-    return (low[0] <= p.x()) & (p.x() <= high[0]) & (low[1] <= p.y()) & (p.y() <= high[1]) & (low[2] <= p.z()) &
-           (p.z() <= high[2]);
+    const auto is_between = [](double l, double x, double h) { return int(l <= x) & int(x <= h); };
+    return (is_between(low[0], p.x(), high[0]) & is_between(low[1], p.y(), high[1]) &
+            is_between(low[2], p.z(), high[2])) != 0;
   }
 
   Local_box enlarged(double by) const

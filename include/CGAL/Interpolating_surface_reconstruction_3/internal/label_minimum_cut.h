@@ -61,18 +61,12 @@ private:
   static constexpr std::uint32_t OUT = static_cast<std::uint32_t>(-1), IN = OUT - 1;
 
   // Rings of cells around a facet that are free to change: enough for the corner of a passage.
-  static constexpr int RINGS = 6;
+  static constexpr int RINGS = 4;
 
   // Between a facet and its vertices. At the corner of a cube it is 1 / sqrt(3).
-  static constexpr double SMALLEST_COSINE = .3;
+  static constexpr double SMALLEST_COSINE = .1;
 
   static constexpr double VALUE_SHARE = .1;
-
-  bool faces_against_normals(Cell_index c, std::size_t i) const
-  {
-    const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
-    return energy.if_inside > (1. - SMALLEST_COSINE) * energy.area;
-  }
 
   // The finite cells around facets that face against the normals.
   template <typename Cancellation_point>
@@ -88,7 +82,8 @@ private:
     for (Cell_index c = 0; c != m_cells.size(); ++c) {
       cancellation_point();
       for (std::size_t i = 0; i != 4; ++i)
-        if (m_labelling.label(c) && m_labelling.is_surface(c, i) && faces_against_normals(c, i)) {
+        if (m_labelling.label(c) && m_labelling.is_surface(c, i) &&
+            m_labelling.faces_by_less_than(SMALLEST_COSINE, c, i)) {
           add(c);
           add(m_cells[c].neighbors[i]);
         }
@@ -126,34 +121,35 @@ private:
     return connected_parts();
   }
 
-  // Of the energies of the region: a cell pays for its label and for facets to cells that stay, two cells
-  // for the facet between them.
+  // Of the energies of the region: a cell pays for its label and for facets to cells that stay, two cells for the
+  // facet between them. What the better of its sides costs, its cells pay by themselves: no cost is negative then,
+  // and the search for the cut has to follow arcs in one direction only.
   Minimum_cut minimum_cut() const
   {
-    std::vector<Minimum_cut::Node_cost> nodes;
+    std::vector<float> inside_costs(m_region.size(), 0.f);
     std::vector<Minimum_cut::Pair_cost> pairs;
-    nodes.reserve(m_region.size());
     pairs.reserve(2 * m_region.size());
     for (std::uint32_t k = 0; k != m_region.size(); ++k) {
       const Cell_index c = m_region[k];
-      double total_area = 0.;
-      double if_outside = 0., if_inside = 0.;
+      double total_area = 0., inside_cost = 0.;
       for (std::size_t i = 0; i != 4; ++i) {
         const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
         const Cell_index n = m_cells[c].neighbors[i];
         total_area += energy.area;
-        if (m_node_of[n] >= IN)
-          (m_labelling.label(n) ? if_outside : if_inside) +=
-            m_labelling.label(n) ? energy.if_outside : energy.if_inside;
-        else if (m_node_of[n] > k)
-          pairs.push_back(Minimum_cut::Pair_cost{ k, m_node_of[n], float(energy.if_inside), float(energy.if_outside) });
+        if (m_node_of[n] >= IN) {
+          inside_cost += m_labelling.label(n) ? -energy.if_outside : energy.if_inside;
+        } else if (m_node_of[n] > k) {
+          const bool faces_out = energy.if_inside < energy.if_outside;
+          const double own = faces_out ? energy.if_inside : -energy.if_outside;
+          inside_cost += own;
+          inside_costs[m_node_of[n]] -= float(own);
+          pairs.push_back(Minimum_cut::Pair_cost{ faces_out ? m_node_of[n] : k, faces_out ? k : m_node_of[n],
+                                                  float(energy.if_inside + energy.if_outside) });
+        }
       }
-      const double preference = VALUE_SHARE * m_labelling.outside_preference(c, total_area);
-      if_outside += (std::max)(-preference, 0.);
-      if_inside += (std::max)(preference, 0.);
-      nodes.push_back(Minimum_cut::Node_cost{ float(if_outside), float(if_inside) });
+      inside_costs[k] += float(inside_cost + VALUE_SHARE * m_labelling.outside_preference(c, total_area));
     }
-    return Minimum_cut(nodes, pairs);
+    return Minimum_cut(inside_costs, pairs);
   }
 
   // Of the cells of the region that are IN, which become OUT.

@@ -119,7 +119,7 @@ public:
       if (find_components(v) <= 2)
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
-      flip(best_component(v, changes[v] == FREE_CHANGES));
+      flip(component_to_change(v, changes[v]));
       if (changes[v] != FREE_CHANGES)
         ++changes[v];
       update_defects(m_best.cells);
@@ -158,7 +158,7 @@ private:
   // A point of a surface has some thirty. Trying the cells one by one takes the square of their number.
   static constexpr std::size_t MAXIMUM_CELLS = 256;
 
-  static constexpr unsigned char FREE_CHANGES = 5;
+  static constexpr unsigned char FREE_CHANGES = 12;
 
   static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
 
@@ -313,11 +313,13 @@ private:
     return change <= maximum ? std::optional<int>(change) : std::nullopt;
   }
 
-  // The finite cells of the component around v whose change wins most, or loses least; only of
-  // components with label 0 if `is_filling`. find_components() has found more than two of them.
-  const std::vector<Cell_index>& best_component(std::size_t v, bool is_filling)
+  // The finite cells of a component around v, which has been changed some times: at first of that whose change wins
+  // most, or loses least, then of the next best, lest neighboring points go on to undo what they did; in the end
+  // only of the best with label 0. find_components() has found more than two of them.
+  const std::vector<Cell_index>& component_to_change(std::size_t v, unsigned char changes)
   {
-    m_best = Move{ {}, 0, 0. };
+    const bool is_filling = changes == FREE_CHANGES;
+    std::vector<Move> moves;
     for (std::vector<Cell_index>& cells : m_components.sorted(find_components(v))) {
       const bool label = m_labelling.label(cells.front());
       cells.erase(
@@ -326,9 +328,10 @@ private:
       if (cells.empty() || (is_filling && label))
         continue;
       const double g = gain(cells);
-      if (m_best.cells.empty() || g > m_best.gain)
-        m_best = Move{ cells, 0, g };
+      moves.push_back(Move{ std::move(cells), 0, g });
     }
+    std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.gain > b.gain; });
+    m_best = moves.empty() ? Move{ {}, 0, 0. } : std::move(moves[is_filling ? 0 : changes % moves.size()]);
     return m_best.cells;
   }
 
