@@ -116,7 +116,7 @@ double energy(const Cells& s, const std::vector<float>& values, const in::Orient
           n * (s.positions[s.cells[c].vertices[i]] - s.positions[f[0]]) > 0.)
         n = -n;
       if (labelling.label(c) && labelling.is_surface(c, i))
-        result += .6 * size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
+        result += .7 * size - n * (s.normals[f[0]] + s.normals[f[1]] + s.normals[f[2]]) / 3;
     }
     if (!in::Cell_complex::is_infinite(s.cells[c]) && labelling.label(c) != (values[c] < 0.f))
       result += std::abs(double(values[c])) * area;
