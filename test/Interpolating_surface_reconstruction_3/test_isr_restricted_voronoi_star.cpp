@@ -185,6 +185,25 @@ void test_sphere()
   assert(stars.agreed_share() > .9);
 }
 
+// A hexagon whose center has nine more neighbors on a sheet to one side below it: they turn the plane of covariance, but
+// the star is the hexagon all the same.
+void test_star_in_plane_of_its_triangles()
+{
+  std::vector<Local_vector> neighbors;
+  for (int i = 0; i != 6; ++i)
+    neighbors.emplace_back(std::cos(i * 1.0471975512), std::sin(i * 1.0471975512), 0.);
+  for (int i = 0; i != 9; ++i)
+    neighbors.emplace_back(.3 + .25 * (i / 3), .25 * (i % 3) - .25, -.95);
+  std::stable_sort(neighbors.begin(), neighbors.end(), [](const Local_vector& a, const Local_vector& b) {
+    return a.squared_length() < b.squared_length();
+  });
+  ISR::Point_star star;
+  assert(Restricted_voronoi_star_3()(ISR::Star_neighborhood(neighbors.data(), neighbors.size(), 10.), star));
+  assert(star.link.size() == 6);
+  for (std::uint32_t i : star.link)
+    assert(i != GAP && neighbors[i].z() == 0.);
+}
+
 // A certain star is the star among all points.
 void test_certainty()
 {
@@ -263,6 +282,7 @@ int main()
   test_square_grid();
   test_diagonals_of_squares();
   test_sphere();
+  test_star_in_plane_of_its_triangles();
   test_certainty();
   test_degenerate_neighborhoods();
   test_many_neighbors();

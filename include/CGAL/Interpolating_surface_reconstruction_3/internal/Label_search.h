@@ -116,6 +116,7 @@ private:
            m_chains.energy().bends_more_than(FOLD, c);
   }
 
+  // Ends when as many kicks as there are folded cells were in vain, one after the other.
   template <typename Cancellation_point>
   void kick(Cancellation_point& cancellation_point)
   {
@@ -126,15 +127,17 @@ private:
         folded.push_back(c);
     }
     std::vector<Cell_index> changed;
-    while (m_chains.effort() != 0 && !folded.empty()) {
+    for (std::size_t in_vain = 0; m_chains.effort() != 0 && in_vain < folded.size(); ++in_vain) {
       cancellation_point();
       const std::size_t k = random(folded.size());
       if (!is_folded(folded[k])) {
         folded[k] = folded.back();
         folded.pop_back();
-      } else if (kick_at(folded[k], changed, cancellation_point))
+      } else if (kick_at(folded[k], changed, cancellation_point)) {
+        in_vain = 0;
         std::copy_if(changed.begin(), changed.end(), std::back_inserter(folded),
                      [&](Cell_index c) { return is_folded(c); });
+      }
     }
   }
 
