@@ -14,6 +14,7 @@
 #include "isr_test_lis.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Regular_diagonals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
@@ -204,6 +205,88 @@ void test_minimum_cut()
   ISR_CHECK_EQUAL(repair(), 0u);
 }
 
+// A box with a roof over a rhombus, the shorter diagonal of which, from 0 to 2, is `height` above the longer one.
+Oriented_points box_with_rhombus(double height)
+{
+  const Point corners[] = { Point(-.9, 0, height), Point(0, -1, 0), Point(.9, 0, height), Point(0, 1, 0) };
+  Oriented_points samples;
+  for (const Point& p : corners)
+    samples.emplace_back(p, Vector(0, 0, 1) + (p.z() == 0. ? Vector(0, 0, 0) : -height * (p - CGAL::ORIGIN)));
+  for (double x : { -1., 1. })
+    for (double y : { -1., 1. })
+      samples.emplace_back(Point(x, y, -2), Vector(x, y, -1));
+  return samples;
+}
+
+// Of a box with a rhombus. All finite cells are inside, and with them the flat one over the rhombus, so that the longer
+// diagonal is on the surface.
+struct Labelled_box : Cells
+{
+  explicit Labelled_box(double height)
+    : Cells(box_with_rhombus(height)), labelling(cells, positions, normals, std::vector<float>(cells.size(), 0.f))
+  {
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      if (!in::Cell_complex::is_infinite(cells[c]))
+        labelling.flip(c);
+      if (has(c, 0) && has(c, 1) && has(c, 2) && has(c, 3))
+        rhombus = c;
+    }
+  }
+
+  bool has(Cell_index c, in::Point_index p) const
+  {
+    return std::count(cells[c].vertices.begin(), cells[c].vertices.end(), p) != 0;
+  }
+
+  std::size_t facets_of_rhombus() const
+  {
+    std::size_t facets = 0;
+    for (std::size_t i = 0; i != 4; ++i)
+      facets += labelling.is_surface(rhombus, i) ? 1u : 0u;
+    return facets;
+  }
+
+  in::Oriented_labelling labelling;
+  Cell_index rhombus = in::Cell_complex::NO_CELL;
+};
+
+void test_regular_diagonals()
+{
+  for (bool is_inside_first : { true, false }) {
+    begin_case("the shorter diagonal of a rhombus that is nearly flat");
+    Labelled_box s(-.02);
+    ISR_CHECK(s.rhombus != in::Cell_complex::NO_CELL);
+    if (!is_inside_first)
+      s.labelling.flip(s.rhombus);
+    ISR_CHECK_EQUAL(s.facets_of_rhombus(), 2u);
+    in::Regular_diagonals diagonals(s.cells, s.positions, s.labelling);
+    in::relax_labels(s.cells, diagonals, in::No_cancellation());
+    ISR_CHECK(!s.labelling.label(s.rhombus));
+    ISR_CHECK_EQUAL(s.facets_of_rhombus(), 2u);
+  }
+
+  begin_case("a ridge along the longer diagonal stays");
+  Labelled_box ridge(-.8);
+  ISR_CHECK(ridge.rhombus != in::Cell_complex::NO_CELL);
+  in::Regular_diagonals diagonals(ridge.cells, ridge.positions, ridge.labelling);
+  in::relax_labels(ridge.cells, diagonals, in::No_cancellation());
+  ISR_CHECK(ridge.labelling.label(ridge.rhombus));
+
+  begin_case("a diagonal that is an edge of the surface already");
+  Labelled_box tunnel(-.02);
+  in::Regular_diagonals over_tunnel(tunnel.cells, tunnel.positions, tunnel.labelling);
+  ISR_CHECK(over_tunnel.gain(tunnel.rhombus) > 0.);
+  std::size_t cells_of_tunnel = 0;
+  for (Cell_index c = 0; c != tunnel.cells.size(); ++c)
+    if (tunnel.has(c, 0) && tunnel.has(c, 2) && !tunnel.has(c, 1) && !tunnel.has(c, 3)) {
+      tunnel.labelling.flip(c);
+      ++cells_of_tunnel;
+    }
+  ISR_CHECK(cells_of_tunnel > 0);
+  ISR_CHECK_EQUAL(tunnel.facets_of_rhombus(), 2u);
+  ISR_CHECK_EQUAL(over_tunnel.gain(tunnel.rhombus), 0.);
+}
+
 } // namespace
 
 int main()
@@ -211,5 +294,6 @@ int main()
   test_signs();
   test_gain();
   test_minimum_cut();
+  test_regular_diagonals();
   return result();
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Regular_diagonals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_opening.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
@@ -166,6 +167,8 @@ private:
     m_progress.begin_stage(Stage::ISOSURFACE, ISOSURFACE_SHARE);
     relax_labels(cells, labelling, m_cancellation_point);
     make_manifold(cells, labelling, m_cancellation_point);
+    Regular_diagonals diagonals(cells, m_cloud.positions(), labelling);
+    relax_labels(cells, diagonals, m_cancellation_point);
     surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Clipped_polygon.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Tangent_projection.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Point_star.h>
 
 #include <algorithm>
@@ -149,12 +150,6 @@ private:
     const Vector_3 p(0, 0, 0), q = stretched(q_index), r = stretched(r_index), s = stretched(s_index);
     return (std::max)(squared_circumdiameter(p, q, r), squared_circumdiameter(p, r, s)) <
            (std::max)(squared_circumdiameter(p, q, s), squared_circumdiameter(q, r, s));
-  }
-
-  static double squared_circumdiameter(const Vector_3& a, const Vector_3& b, const Vector_3& c)
-  {
-    const Vector_3 u = b - a, v = c - a;
-    return u.squared_length() * v.squared_length() * (v - u).squared_length() / cross_product(u, v).squared_length();
   }
 
   // Space stretched by a little more than the rounding error along a fixed direction in general

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -63,6 +64,16 @@ bool is_first_more_regular(const Location& a, const Location& b, const Location&
   const double with_p = (std::min)(regularity(a, b, p), regularity(p_diagonal, p, q));
   const double with_q = (std::min)(regularity(a, b, q), regularity(q_diagonal, q, p));
   return with_p >= with_q;
+}
+
+// The square of the diameter of the circle through the corners of a triangle; infinite if they lie on a line.
+template <typename Location>
+double squared_circumdiameter(const Location& a, const Location& b, const Location& c)
+{
+  const Local_vector u = b - a, v = c - a;
+  const double squared_area = cross_product(u, v).squared_length();
+  return squared_area > 0. ? u.squared_length() * v.squared_length() * (v - u).squared_length() / squared_area
+                           : std::numeric_limits<double>::infinity();
 }
 
 // 4.2.2: cosine of the angle that adds up to 180 degrees with the dihedral angle of the triangles
