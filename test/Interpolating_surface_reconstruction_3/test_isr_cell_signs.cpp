@@ -16,6 +16,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Regular_diagonals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
@@ -171,6 +172,50 @@ void test_gain()
   ISR_CHECK(validation::boundary_edges(triples).empty());
 }
 
+// Points around which the cells have more than two components of equal labels.
+std::size_t number_of_tangles(const Cells& s, const in::Oriented_labelling& labelling)
+{
+  in::Label_components<in::Oriented_labelling> components(s.cells, labelling);
+  std::vector<Cell_index> cell_of(s.positions.size());
+  for (Cell_index c = 0; c != s.cells.size(); ++c)
+    for (in::Point_index p : s.cells[c].vertices)
+      if (p != in::NO_POINT)
+        cell_of[p] = c;
+  std::size_t result = 0;
+  for (in::Point_index p = 0; p != s.positions.size(); ++p)
+    result += components.find(p, cell_of[p]) > 2 ? 1u : 0u;
+  return result;
+}
+
+void test_untangling()
+{
+  begin_case("sequences of moves where single ones do not help");
+  Random random(5);
+  Oriented_points samples;
+  for (const Point& p : random_cube(2000, 4))
+    samples.emplace_back(p, random.unit());
+  const Cells s(samples);
+  in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
+  in::relax_labels(s.cells, labelling, in::No_cancellation());
+  in::Labelling_repair<in::Oriented_labelling> repair(
+    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  repair();
+  const std::size_t before = number_of_tangles(s, labelling);
+  ISR_CHECK(before > 10);
+  repair.untangle(in::No_cancellation());
+  const std::size_t after = number_of_tangles(s, labelling);
+  ISR_CHECK(10 * after <= before);
+  repair.enforce(in::No_cancellation());
+  ISR_CHECK_EQUAL(number_of_tangles(s, labelling), 0u);
+  std::vector<unsigned char> is_used(s.positions.size(), 0);
+  for (Cell_index c = 0; c != s.cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (labelling.label(c) && labelling.is_surface(c, i))
+        for (in::Point_index p : in::Cell_complex::facet(s.cells[c], i))
+          is_used[p] = 1;
+  ISR_CHECK(std::count(is_used.begin(), is_used.end(), 0) < 20);
+}
+
 // A wall of wrong labels in the gap between two boxes is removed by the cut.
 void test_minimum_cut()
 {
@@ -293,6 +338,7 @@ int main()
 {
   test_signs();
   test_gain();
+  test_untangling();
   test_minimum_cut();
   test_regular_diagonals();
   return result();

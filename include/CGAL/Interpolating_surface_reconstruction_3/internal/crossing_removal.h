@@ -200,9 +200,9 @@ private:
                  [&](const Triangle& t) { return std::binary_search(m_component.begin(), m_component.end(), t[0]); });
     const double old_area = area(old);
     Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
-    make_manifold(cells, labelling, cancellation_point);
+    make_nearly_manifold(cells, labelling, cancellation_point);
     bend_less(cells, labelling, cancellation_point);
-    make_manifold(cells, labelling, cancellation_point);
+    make_nearly_manifold(cells, labelling, cancellation_point);
     Triangles result = facets_between_labels(cells, labelling, cancellation_point);
     return area(result) > MAXIMUM_GROWTH * old_area ? Triangles() : result;
   }

@@ -80,14 +80,6 @@ public:
     return components;
   }
 
-  // How far the surface between the labels is from a manifold at the point: 0 if there is one component of
-  // each label.
-  int defects(Point_index p, Cell_index first)
-  {
-    const int components = static_cast<int>(find(p, first));
-    return components == 1 ? 1 : components - 2;
-  }
-
   // The cells of each of the components found last, in the order of their smallest cells.
   std::vector<std::vector<Cell_index> > sorted(std::size_t components)
   {

@@ -30,17 +30,26 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Changes labels until the surface between them is a manifold, whatever that loses. It may leave points out, but only
-// those at which nothing else helps. `cancellation_point()` is called again and again and may throw.
+// Changes labels until the surface between them is a manifold at nearly all points, whatever that loses.
+// `cancellation_point()` is called again and again and may throw.
 template <typename CancellationPoint>
-void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
+Labelling_repair<Oriented_labelling> make_nearly_manifold(const Cell_complex& cells, Oriented_labelling& labelling,
+                                                          CancellationPoint& cancellation_point)
 {
   Labelling_repair<Oriented_labelling> repair(
     cells, labelling, [](Point_index) { return true; }, (std::numeric_limits<double>::max)(), true, cancellation_point);
   repair(cancellation_point);
   Label_minimum_cut cut(cells, labelling);
   cut(repair, cancellation_point);
-  repair.enforce(cancellation_point);
+  repair.untangle(cancellation_point);
+  return repair;
+}
+
+// The same at all points. It may leave some out, but only those at which nothing else helps.
+template <typename CancellationPoint>
+void make_manifold(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
+{
+  make_nearly_manifold(cells, labelling, cancellation_point).enforce(cancellation_point);
 }
 
 // The surface between inside and outside, counterclockwise as seen from the outside.

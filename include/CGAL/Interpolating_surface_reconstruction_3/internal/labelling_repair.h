@@ -127,6 +127,35 @@ public:
     }
   }
 
+  // To be called after operator(), before enforce(): where moves one by one do not help, sequences of moves are tried
+  // that lead over surfaces with as many defects, or more; last, points may be left out for that.
+  // `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  void untangle(Cancellation_point&& cancellation_point)
+  {
+    for (const bool may_leave_out : { false, true }) {
+      std::vector<std::size_t> todo;
+      for (std::size_t v = m_defects.size(); v-- != 0;)
+        if (m_defects[v] != 0) {
+          if (find_components(v) > 2)
+            todo.push_back(v);
+          else if (may_leave_out)
+            m_defects[v] = 0;
+        }
+      m_counts_points_left_out = !may_leave_out;
+      while (!todo.empty()) {
+        const std::size_t v = todo.back();
+        todo.pop_back();
+        if (m_defects[v] == 0 || find_components(v) <= 2 || !untangle_at(v, cancellation_point))
+          continue;
+        todo.push_back(v);
+        for (std::size_t w : m_touched)
+          if (m_defects[w] != 0)
+            todo.push_back(w);
+      }
+    }
+  }
+
   // To be called after operator(): changes the cells together and repairs what that breaks; takes
   // it all back if defects remain that were not there before. `cancellation_point()` is called
   // again and again and may throw.
@@ -160,6 +189,9 @@ private:
 
   static constexpr unsigned char FREE_CHANGES = 12;
 
+  // Moves one after the other.
+  static constexpr std::size_t MAXIMUM_SEQUENCE = 32;
+
   static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
 
   // A vertex with more cells, one of them, and how often they were changed.
@@ -182,7 +214,12 @@ private:
 
   std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
 
-  int count_defects(std::size_t v) { return m_components.defects(m_cells.points()[v], m_cell_of[v]); }
+  // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
+  int count_defects(std::size_t v)
+  {
+    const auto components = static_cast<int>(find_components(v));
+    return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
+  }
 
   template <typename Cancellation_point>
   void repair(std::vector<std::size_t> todo, Cancellation_point& cancellation_point)
@@ -204,6 +241,17 @@ private:
   bool improve(std::size_t v)
   {
     m_best = Move{ {}, 0, 0. };
+    for (const std::vector<Cell_index>& cells : moves_at(v))
+      try_move(v, cells);
+    if (m_best.cells.empty())
+      return false;
+    flip(m_best.cells);
+    update_defects(m_best.cells);
+    return true;
+  }
+
+  std::vector<std::vector<Cell_index> > moves_at(std::size_t v)
+  {
     std::vector<std::vector<Cell_index> > moves = m_components.sorted(find_components(v));
     const bool is_off_surface = moves.size() == 1;
     std::vector<std::size_t> size_of_component(moves.size(), 0);
@@ -212,13 +260,64 @@ private:
     for (const auto& c : m_components.cells())
       if (size_of_component[c.component] > 1 && (is_off_surface || m_components.is_between(c)))
         moves.push_back({ c.cell });
-    for (const std::vector<Cell_index>& cells : moves)
-      try_move(v, cells);
-    if (m_best.cells.empty())
-      return false;
-    flip(m_best.cells);
-    update_defects(m_best.cells);
-    return true;
+    return moves;
+  }
+
+  // Makes a move at v and goes on with the best moves at what it breaks, without changing a cell twice, until there are
+  // fewer defects than before; tries the next move at v if that is not soon. Returns false if none helps.
+  template <typename Cancellation_point>
+  bool untangle_at(std::size_t v, Cancellation_point& cancellation_point)
+  {
+    std::vector<Cell_index> changed;
+    for (const Move& first : new_moves_at(v, changed)) {
+      std::optional<Move> move = first;
+      int change = 0;
+      for (std::size_t step = 0; move && step != MAXIMUM_SEQUENCE; ++step) {
+        cancellation_point(MICROSECONDS_PER_MOVE);
+        flip(move->cells);
+        update_defects(move->cells);
+        changed.insert(changed.end(), move->cells.begin(), move->cells.end());
+        change += move->defects;
+        if (change < 0)
+          return true;
+        const std::size_t worst =
+          *std::max_element(m_touched.begin(), m_touched.end(),
+                            [&](std::size_t w, std::size_t x) { return m_defects[w] < m_defects[x]; });
+        std::vector<Move> moves;
+        if (m_defects[worst] != 0)
+          moves = new_moves_at(worst, changed);
+        move = moves.empty() ? std::nullopt : std::optional<Move>(std::move(moves.front()));
+      }
+      flip(changed);
+      update_defects(changed);
+      changed.clear();
+    }
+    return false;
+  }
+
+  // The moves at v without changed cells: first those that leave the fewest defects, and of these, those that win most.
+  std::vector<Move> new_moves_at(std::size_t v, const std::vector<Cell_index>& changed)
+  {
+    std::vector<Move> result;
+    for (std::vector<Cell_index>& cells : moves_at(v)) {
+      const bool is_new = std::none_of(cells.begin(), cells.end(), [&](Cell_index c) {
+        return Cell_complex::is_infinite(m_cells[c]) || std::find(changed.begin(), changed.end(), c) != changed.end();
+      });
+      if (!is_new || (m_keeps_components && !is_at_surface(cells)))
+        continue;
+      const double g = gain(cells);
+      flip(cells);
+      find_touched(cells);
+      int defects = 0;
+      for (std::size_t w : m_touched)
+        defects += count_defects(w) - m_defects[w];
+      flip(cells);
+      result.push_back(Move{ std::move(cells), defects, g });
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Move& a, const Move& b) {
+      return a.defects < b.defects || (a.defects == b.defects && a.gain > b.gain);
+    });
+    return result;
   }
 
   void flip(const std::vector<Cell_index>& cells)
@@ -383,6 +482,7 @@ private:
   Labelling& m_labelling;
   double m_maximum_loss;
   bool m_keeps_components;
+  bool m_counts_points_left_out = true;
   std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
   std::vector<Hub> m_hubs;
   std::vector<int> m_defects; // of each point, 0 out of the scope
