@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -66,14 +65,12 @@ bool is_first_more_regular(const Location& a, const Location& b, const Location&
   return with_p >= with_q;
 }
 
-// The square of the diameter of the circle through the corners of a triangle; infinite if they lie on a line.
+// The square of the diameter of the circle through three distinct points; infinite if they lie on a line.
 template <typename Location>
 double squared_circumdiameter(const Location& a, const Location& b, const Location& c)
 {
   const Local_vector u = b - a, v = c - a;
-  const double squared_area = cross_product(u, v).squared_length();
-  return squared_area > 0. ? u.squared_length() * v.squared_length() * (v - u).squared_length() / squared_area
-                           : std::numeric_limits<double>::infinity();
+  return u.squared_length() * v.squared_length() * (v - u).squared_length() / cross_product(u, v).squared_length();
 }
 
 // 4.2.2: cosine of the angle that adds up to 180 degrees with the dihedral angle of the triangles
