@@ -15,14 +15,13 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_defects.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,11 +32,30 @@ namespace internal {
 
 // Changes labels of cells until the surface between the labels is a manifold through all points of a
 // scope. At a point, the surface is a manifold if the cells of each label around the point are
-// connected by facets at the point and there are cells of both labels. Hubs, points of very many cells as
-// the tip of a cone over a line, would take the square of these: they are left out but for the last step.
+// connected by facets at the point and there are cells of both labels. Hubs are left out but for the last step.
 template <typename Labelling>
-class Labelling_repair
+class Labelling_repair : private Label_defects<Labelling>
 {
+  using Base = Label_defects<Labelling>;
+  using Base::count_defects;
+  using Base::find_components;
+  using Base::find_touched;
+  using Base::flip;
+  using Base::gain;
+  using Base::is_at_surface;
+  using Base::m_cell_of;
+  using Base::m_cells;
+  using Base::m_components;
+  using Base::m_counts_points_left_out;
+  using Base::m_defects;
+  using Base::m_hubs;
+  using Base::m_labelling;
+  using Base::m_touched;
+  using Base::moves_at;
+  using Base::NO_CELL;
+  using Base::update_defects;
+  using typename Base::Hub;
+
 public:
   using Cell_index = Cell_complex::Cell_index;
 
@@ -53,24 +71,9 @@ public:
   template <typename IsInScope, typename Cancellation_point>
   Labelling_repair(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope, double maximum_loss,
                    bool keeps_components, Cancellation_point&& cancellation_point)
-    : m_cells(cells), m_labelling(labelling), m_maximum_loss(maximum_loss), m_keeps_components(keeps_components),
-      m_cell_of(cells.points().size(), NO_CELL), m_defects(cells.points().size(), 0), m_components(cells, labelling)
-  {
-    std::vector<std::uint32_t> cells_at(m_cell_of.size(), 0);
-    for (Cell_index c = 0; c != cells.size(); ++c) {
-      cancellation_point();
-      for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && is_in_scope(p)) {
-          m_cell_of[position_of(p)] = c;
-          ++cells_at[position_of(p)];
-        }
-    }
-    for (std::size_t v = 0; v != m_cell_of.size(); ++v)
-      if (cells_at[v] > MAXIMUM_CELLS) {
-        m_hubs.push_back(Hub{ v, m_cell_of[v], 0 });
-        m_cell_of[v] = NO_CELL;
-      }
-  }
+    : Base(cells, labelling, is_in_scope, cancellation_point), m_maximum_loss(maximum_loss),
+      m_keeps_components(keeps_components)
+  { }
 
   // Returns the number of points but hubs at which the surface is no manifold in the end.
   std::size_t operator()() { return (*this)(No_cancellation()); }
@@ -182,25 +185,12 @@ public:
   }
 
 private:
-  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
-
-  // A point of a surface has some thirty. Trying the cells one by one takes the square of their number.
-  static constexpr std::size_t MAXIMUM_CELLS = 256;
-
   static constexpr unsigned char FREE_CHANGES = 12;
 
   // Moves one after the other.
   static constexpr std::size_t MAXIMUM_SEQUENCE = 32;
 
   static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
-
-  // A vertex with more cells, one of them, and how often they were changed.
-  struct Hub
-  {
-    std::size_t vertex;
-    Cell_index cell;
-    unsigned char changes;
-  };
 
   // Cells to change together, and what that brings.
   struct Move
@@ -209,17 +199,6 @@ private:
     int defects;
     double gain;
   };
-
-  std::size_t position_of(Point_index p) const { return m_cells.position(p); }
-
-  std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
-
-  // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
-  int count_defects(std::size_t v)
-  {
-    const auto components = static_cast<int>(find_components(v));
-    return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
-  }
 
   template <typename Cancellation_point>
   void repair(std::vector<std::size_t> todo, Cancellation_point& cancellation_point)
@@ -248,19 +227,6 @@ private:
     flip(m_best.cells);
     update_defects(m_best.cells);
     return true;
-  }
-
-  std::vector<std::vector<Cell_index> > moves_at(std::size_t v)
-  {
-    std::vector<std::vector<Cell_index> > moves = m_components.sorted(find_components(v));
-    const bool is_off_surface = moves.size() == 1;
-    std::vector<std::size_t> size_of_component(moves.size(), 0);
-    for (const auto& c : m_components.cells())
-      ++size_of_component[c.component];
-    for (const auto& c : m_components.cells())
-      if (size_of_component[c.component] > 1 && (is_off_surface || m_components.is_between(c)))
-        moves.push_back({ c.cell });
-    return moves;
   }
 
   // Makes a move at v and goes on with the best moves at what it breaks, without changing a cell twice, until there are
@@ -318,58 +284,6 @@ private:
       return a.defects < b.defects || (a.defects == b.defects && a.gain > b.gain);
     });
     return result;
-  }
-
-  void flip(const std::vector<Cell_index>& cells)
-  {
-    for (Cell_index c : cells)
-      m_labelling.flip(c);
-  }
-
-  bool is_at_surface(const std::vector<Cell_index>& cells) const
-  {
-    for (Cell_index c : cells)
-      for (std::size_t i = 0; i != 4; ++i)
-        if (m_labelling.is_surface(c, i))
-          return true;
-    return false;
-  }
-
-  // What the sum of the weights wins if all the cells change.
-  double gain(const std::vector<Cell_index>& cells)
-  {
-    double result = 0.;
-    for (Cell_index c : cells) {
-      result += m_labelling.gain(c);
-      m_labelling.flip(c);
-    }
-    flip(cells);
-    return result;
-  }
-
-  // The vertices of the cells that are in the scope.
-  void find_touched(const std::vector<Cell_index>& cells)
-  {
-    m_touched.clear();
-    for (Cell_index c : cells)
-      for (Point_index p : m_cells[c].vertices)
-        if (p != NO_POINT && m_cell_of[position_of(p)] != NO_CELL)
-          m_touched.push_back(position_of(p));
-    std::sort(m_touched.begin(), m_touched.end());
-    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
-  }
-
-  // Counts the defects at the vertices of cells that have changed; returns by how many there are more.
-  int update_defects(const std::vector<Cell_index>& cells)
-  {
-    int change = 0;
-    find_touched(cells);
-    for (std::size_t v : m_touched) {
-      const int defects = count_defects(v);
-      change += defects - m_defects[v];
-      m_defects[v] = defects;
-    }
-    return change;
   }
 
   // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
@@ -478,16 +392,8 @@ private:
     return result;
   }
 
-  const Cell_complex& m_cells;
-  Labelling& m_labelling;
   double m_maximum_loss;
   bool m_keeps_components;
-  bool m_counts_points_left_out = true;
-  std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
-  std::vector<Hub> m_hubs;
-  std::vector<int> m_defects; // of each point, 0 out of the scope
-  Label_components<Labelling> m_components;
-  std::vector<std::size_t> m_touched;
   Move m_best;
 };
 

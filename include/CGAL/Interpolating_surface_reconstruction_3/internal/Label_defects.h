@@ -1,0 +1,164 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_DEFECTS_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_DEFECTS_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// How far the surface between labels of cells is from a manifold at each point of a scope, and how labels change there.
+// Hubs, points of very many cells as the tip of a cone over a line, would take the square of these: they are set aside.
+template <typename Labelling>
+class Label_defects
+{
+protected:
+  using Cell_index = Cell_complex::Cell_index;
+
+  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
+
+  // A point of a surface has some thirty. Trying the cells one by one takes the square of their number.
+  static constexpr std::size_t MAXIMUM_CELLS = 256;
+
+  // A vertex with more cells, one of them, and how often they were changed.
+  struct Hub
+  {
+    std::size_t vertex;
+    Cell_index cell;
+    unsigned char changes;
+  };
+
+  template <typename IsInScope, typename Cancellation_point>
+  Label_defects(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope,
+                Cancellation_point& cancellation_point)
+    : m_cells(cells), m_labelling(labelling), m_cell_of(cells.points().size(), NO_CELL),
+      m_defects(cells.points().size(), 0), m_components(cells, labelling)
+  {
+    std::vector<std::uint32_t> cells_at(m_cell_of.size(), 0);
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
+      for (Point_index p : cells[c].vertices)
+        if (p != NO_POINT && is_in_scope(p)) {
+          m_cell_of[position_of(p)] = c;
+          ++cells_at[position_of(p)];
+        }
+    }
+    for (std::size_t v = 0; v != m_cell_of.size(); ++v)
+      if (cells_at[v] > MAXIMUM_CELLS) {
+        m_hubs.push_back(Hub{ v, m_cell_of[v], 0 });
+        m_cell_of[v] = NO_CELL;
+      }
+  }
+
+  std::size_t position_of(Point_index p) const { return m_cells.position(p); }
+
+  std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
+
+  // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
+  int count_defects(std::size_t v)
+  {
+    const auto components = static_cast<int>(find_components(v));
+    return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
+  }
+
+  // The cells to change together that may lessen the defects at vertex v: a component around it, or one of its cells.
+  std::vector<std::vector<Cell_index> > moves_at(std::size_t v)
+  {
+    std::vector<std::vector<Cell_index> > moves = m_components.sorted(find_components(v));
+    const bool is_off_surface = moves.size() == 1;
+    std::vector<std::size_t> size_of_component(moves.size(), 0);
+    for (const auto& c : m_components.cells())
+      ++size_of_component[c.component];
+    for (const auto& c : m_components.cells())
+      if (size_of_component[c.component] > 1 && (is_off_surface || m_components.is_between(c)))
+        moves.push_back({ c.cell });
+    return moves;
+  }
+
+  void flip(const std::vector<Cell_index>& cells)
+  {
+    for (Cell_index c : cells)
+      m_labelling.flip(c);
+  }
+
+  bool is_at_surface(const std::vector<Cell_index>& cells) const
+  {
+    for (Cell_index c : cells)
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_labelling.is_surface(c, i))
+          return true;
+    return false;
+  }
+
+  // What the sum of the weights wins if all the cells change.
+  double gain(const std::vector<Cell_index>& cells)
+  {
+    double result = 0.;
+    for (Cell_index c : cells) {
+      result += m_labelling.gain(c);
+      m_labelling.flip(c);
+    }
+    flip(cells);
+    return result;
+  }
+
+  // The vertices of the cells that are in the scope.
+  void find_touched(const std::vector<Cell_index>& cells)
+  {
+    m_touched.clear();
+    for (Cell_index c : cells)
+      for (Point_index p : m_cells[c].vertices)
+        if (p != NO_POINT && m_cell_of[position_of(p)] != NO_CELL)
+          m_touched.push_back(position_of(p));
+    std::sort(m_touched.begin(), m_touched.end());
+    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+  }
+
+  // Counts the defects at the vertices of cells that have changed; returns by how many there are more.
+  int update_defects(const std::vector<Cell_index>& cells)
+  {
+    int change = 0;
+    find_touched(cells);
+    for (std::size_t v : m_touched) {
+      const int defects = count_defects(v);
+      change += defects - m_defects[v];
+      m_defects[v] = defects;
+    }
+    return change;
+  }
+
+  const Cell_complex& m_cells;
+  Labelling& m_labelling;
+  bool m_counts_points_left_out = true;
+  std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
+  std::vector<Hub> m_hubs;
+  std::vector<int> m_defects; // of each point, 0 out of the scope
+  Label_components<Labelling> m_components;
+  std::vector<std::size_t> m_touched; // by the cells that were looked at last
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_LABEL_DEFECTS_H
