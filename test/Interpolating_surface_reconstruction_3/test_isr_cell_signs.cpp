@@ -21,6 +21,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -73,6 +75,23 @@ struct Cells
 Oriented_points sphere(std::size_t n)
 {
   return with_normals(sphere_fibonacci(n).points, [](const Point& p) { return p - CGAL::ORIGIN; });
+}
+
+// In a cube, with normals in any direction.
+Oriented_points random_samples(std::size_t n, std::uint64_t seed)
+{
+  Random random(seed + 1);
+  Oriented_points samples;
+  for (const Point& p : random_cube(n, seed))
+    samples.emplace_back(p, random.unit());
+  return samples;
+}
+
+// The repair of LIS: no loss is too large, and components stay.
+in::Labelling_repair<in::Oriented_labelling> repair_of(const Cells& s, in::Oriented_labelling& labelling)
+{
+  return in::Labelling_repair<in::Oriented_labelling>(
+    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
 }
 
 void test_signs()
@@ -129,11 +148,7 @@ double energy(const Cells& s, const std::vector<float>& values, const in::Orient
 void test_gain()
 {
   begin_case("gains are differences of the energy");
-  Random random(3);
-  Oriented_points samples;
-  for (const Point& p : random_cube(60, 2))
-    samples.emplace_back(p, random.unit());
-  const Cells s(samples);
+  const Cells s(random_samples(60, 2));
   const std::vector<float> values = s.signs();
   in::Oriented_labelling labelling(s.cells, s.positions, s.normals, values);
   for (Cell_index c = 0; c != s.cells.size(); ++c) {
@@ -156,8 +171,7 @@ void test_gain()
     ISR_CHECK(labelling.gain(c) <= labelling.smallest_gain(c));
 
   begin_case("repair makes any labelling a manifold");
-  in::Labelling_repair<in::Oriented_labelling> repair(
-    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  in::Labelling_repair<in::Oriented_labelling> repair = repair_of(s, labelling);
   repair();
   repair.enforce(in::No_cancellation());
   Triples triples;
@@ -190,15 +204,10 @@ std::size_t number_of_tangles(const Cells& s, const in::Oriented_labelling& labe
 void test_untangling()
 {
   begin_case("sequences of moves where single ones do not help");
-  Random random(5);
-  Oriented_points samples;
-  for (const Point& p : random_cube(2000, 4))
-    samples.emplace_back(p, random.unit());
-  const Cells s(samples);
+  const Cells s(random_samples(2000, 4));
   in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
   in::relax_labels(s.cells, labelling, in::No_cancellation());
-  in::Labelling_repair<in::Oriented_labelling> repair(
-    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  in::Labelling_repair<in::Oriented_labelling> repair = repair_of(s, labelling);
   repair();
   const std::size_t before = number_of_tangles(s, labelling);
   ISR_CHECK(before > 10);
@@ -227,8 +236,7 @@ void test_minimum_cut()
   const Cells s(samples);
   in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
   in::relax_labels(s.cells, labelling, in::No_cancellation());
-  in::Labelling_repair<in::Oriented_labelling> repair(
-    s.cells, labelling, [](in::Point_index) { return true; }, 1e300, true);
+  in::Labelling_repair<in::Oriented_labelling> repair = repair_of(s, labelling);
   repair();
   const auto labelled_inside_gap = [&] {
     std::size_t result = 0;
