@@ -281,19 +281,24 @@ struct Queue_entry
   }
 };
 
-// The same order as that of a sorted set, whatever the classes.
-void test_coplanarity_queue()
+double random_cosine(Random& random, int i)
 {
-  begin_case("queue of candidates");
+  const double angle = std::pow(10., random.uniform(-10., .5));
+  const double cosines[] = { std::cos(angle), 1., -1., 0., 1. + 1e-15, -1. - 1e-15 };
+  return cosines[i % 16 < 5 ? i % 16 + 1 : 0];
+}
+
+// Entries whose order is needed come in that of a sorted set, whatever the classes.
+void test_ordered_queue()
+{
+  begin_case("queue of candidates in order");
   isr_internal::Coplanarity_queue<Queue_entry> queue;
   std::set<Queue_entry> expected;
   Random random(5);
   for (int i = 0; i != 20000; ++i) {
     if (random.uniform(0., 1.) < .6) {
-      const double angle = std::pow(10., random.uniform(-10., .5));
-      const double cosines[] = { std::cos(angle), 1., -1., 0., 1. + 1e-15, -1. - 1e-15 };
-      const Queue_entry entry{ cosines[i % 16 < 5 ? std::size_t(i % 16) + 1 : 0], i };
-      queue.push(entry);
+      const Queue_entry entry{ random_cosine(random, i), i };
+      queue.push(entry, true);
       expected.insert(entry);
     } else if (!queue.empty()) {
       ISR_CHECK_EQUAL(queue.top().number, expected.rbegin()->number);
@@ -304,9 +309,45 @@ void test_coplanarity_queue()
   }
 }
 
+// Of entries whose order is free, none comes before another whose angle is smaller by the square root of two or
+// more; of entries as coplanar as each other, the last one comes first, and those in order come after them.
+void test_unordered_queue()
+{
+  begin_case("queue of candidates without order");
+  isr_internal::Coplanarity_queue<Queue_entry> queue;
+  std::multiset<double> cosines;
+  Random random(6);
+  std::size_t checked = 0;
+  for (int i = 0; i != 20000; ++i) {
+    if (random.uniform(0., 1.) < .6) {
+      const Queue_entry entry{ random_cosine(random, i), i };
+      queue.push(entry, false);
+      cosines.insert(entry.coplanarity);
+    } else if (!queue.empty()) {
+      const double gap = 1. - queue.top().coplanarity, least = 1. - *cosines.rbegin();
+      ISR_CHECK(gap <= 2. * least || gap < 2e-9);
+      cosines.erase(cosines.find(queue.top().coplanarity));
+      queue.pop();
+      ++checked;
+    }
+    ISR_CHECK_EQUAL(queue.empty(), cosines.empty());
+  }
+  ISR_CHECK(checked > 7000);
+
+  isr_internal::Coplanarity_queue<Queue_entry> ties;
+  for (int i = 0; i != 6; ++i)
+    ties.push(Queue_entry{ .5, i }, i % 2 == 0);
+  for (int expected : { 5, 3, 1, 0, 2, 4 }) {
+    ISR_CHECK_EQUAL(ties.top().number, expected);
+    ties.pop();
+  }
+  ISR_CHECK(ties.empty());
+}
+
 int main()
 {
-  test_coplanarity_queue();
+  test_ordered_queue();
+  test_unordered_queue();
   test_begin();
   test_extend();
   test_close_ear();

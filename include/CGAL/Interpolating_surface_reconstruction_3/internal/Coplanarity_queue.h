@@ -17,6 +17,7 @@
 #include <boost/dynamic_bitset.hpp>
 #include <boost/heap/d_ary_heap.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -25,52 +26,65 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// A queue of entries by `coplanarity`, a cosine, that comes first in their order; the greatest entry is on
-// top. A heap over a long front is larger than the cache, and misses it on nearly every level. Here
-// there is a heap for each class of similar coplanarity; growth stays in the best ones, which are small.
+// A queue of entries by classes of similar `coplanarity`, a cosine; the most coplanar class is on top. Within
+// a class, the entries whose order matters come last, the greatest of them first. The others come before
+// them, the last one pushed first: it lies where the caller has just been, so that what it needs is still in
+// the cache. A growth that jumps over the surface for each entry waits for memory most of its time.
 template <typename Entry>
 class Coplanarity_queue
 {
 public:
-  Coplanarity_queue() : m_heaps(CLASSES), m_is_filled(CLASSES) { }
+  Coplanarity_queue() : m_classes(CLASSES), m_is_filled(CLASSES) { }
 
   bool empty() const { return m_is_filled.none(); }
-  const Entry& top() const { return m_heaps[m_is_filled.find_first()].top(); }
+  const Entry& top() const
+  {
+    const Class& c = m_classes[m_is_filled.find_first()];
+    return c.unordered.empty() ? c.ordered.top() : c.unordered.back();
+  }
 
-  void push(const Entry& entry)
+  void push(const Entry& entry, bool is_order_needed)
   {
     const std::size_t k = class_of(entry.coplanarity);
-    m_heaps[k].push(entry);
+    if (is_order_needed)
+      m_classes[k].ordered.push(entry);
+    else
+      m_classes[k].unordered.push_back(entry);
     m_is_filled.set(k);
   }
 
   void pop()
   {
     const std::size_t k = m_is_filled.find_first();
-    m_heaps[k].pop();
-    m_is_filled.set(k, !m_heaps[k].empty());
+    Class& c = m_classes[k];
+    if (c.unordered.empty())
+      c.ordered.pop();
+    else
+      c.unordered.pop_back();
+    m_is_filled.set(k, !c.unordered.empty() || !c.ordered.empty());
   }
 
 private:
-  // Eight of each time that the angle shrinks by the square root of two, down to where the cosine hardly
-  // differs from one.
-  static constexpr int CLASSES_PER_OCTAVE = 8, OCTAVES = 32;
-  static constexpr std::size_t CLASSES = std::size_t(CLASSES_PER_OCTAVE) * std::size_t(OCTAVES);
+  struct Class
+  {
+    std::vector<Entry> unordered;
+    boost::heap::d_ary_heap<Entry, boost::heap::arity<4> > ordered;
+  };
+
+  // One for each time that 1 - cosine is halved, that is, the angle shrinks by the square root of two, down
+  // to where the cosine hardly differs from one.
+  static constexpr int CLASSES = 32;
 
   // Not greater for a greater coplanarity.
   static std::size_t class_of(double coplanarity)
   {
-    const double gap = std::ldexp(1. - coplanarity, OCTAVES - 2); // less than 2^OCTAVES
+    const double gap = std::ldexp(1. - coplanarity, CLASSES - 2); // at most 2^(CLASSES - 1), but for rounding
     if (!(gap >= 1.))
       return 0;
-    int exponent;
-    const double mantissa = std::frexp(gap, &exponent); // in [1/2, 1)
-    const std::size_t k = static_cast<std::size_t>((exponent - 1) * CLASSES_PER_OCTAVE) +
-                          static_cast<std::size_t>((mantissa * 2. - 1.) * CLASSES_PER_OCTAVE);
-    return k < CLASSES ? k : CLASSES - 1;
+    return static_cast<std::size_t>((std::min)(std::ilogb(gap), CLASSES - 1));
   }
 
-  std::vector<boost::heap::d_ary_heap<Entry, boost::heap::arity<4> > > m_heaps; // the most coplanar class first
+  std::vector<Class> m_classes; // the most coplanar one first
   boost::dynamic_bitset<> m_is_filled;
 };
 

@@ -38,7 +38,7 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Replaces closed components that cross themselves or each other, as holes can make them that are closed without
-// regard to what is near. Delaunay facets do not cross: the cells of the points of a component are labelled by the side
+// regard to what is near, and those with holes that could not be closed. Delaunay facets do not cross: the cells of the points of a component are labelled by the side
 // of the surface on which they are and, around crossings, by the linear implicit function of its normals
 // (thesis 5.2); then the surface between the labels is bent as little as possible there.
 template <typename ConcurrencyTag, typename Builder>
@@ -52,22 +52,22 @@ public:
     : m_points(points), m_given_normals(normals), m_builder(builder)
   { }
 
-  // Only triangles stored from `first` on may cross others. Returns whether the surface has changed. Points may be
-  // left out. Ends early if cancelled.
+  // Only triangles stored from `first` on may cross others; the sorted points `unclosed` are on holes that could not be
+  // closed. Returns whether the surface has changed. Points may be left out. Ends early if cancelled.
   template <typename Progress>
-  bool operator()(typename Builder::Triangle_index first, Progress& progress)
+  bool operator()(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed, Progress& progress)
   {
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      if (!find_crossings(first, cancellation_point))
+      if (!find_crossings(first, unclosed, cancellation_point))
         return false;
       find_normals(progress);
       find_doubts(cancellation_point);
       m_is_visited.assign(m_points.size(), 0);
       for (const Crossing& crossing : m_crossings)
         if (collect_component(crossing.first, cancellation_point) && m_component.size() <= m_points_left &&
-            is_closed()) {
+            is_closed_but_for(unclosed)) {
           m_points_left -= m_component.size();
           is_changed = replace(reconstruct(progress, cancellation_point), cancellation_point) || is_changed;
         }
@@ -96,9 +96,10 @@ private:
   // Changes of labels that the search may try at each point in doubt.
   static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 256;
 
-  // From either side; false if there are none.
+  // From either side; false if there are none. Points on holes, and what their stars see, are treated as crossing.
   template <typename CancellationPoint>
-  bool find_crossings(typename Builder::Triangle_index first, CancellationPoint& cancellation_point)
+  bool find_crossings(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed,
+                      CancellationPoint& cancellation_point)
   {
     const auto is_suspect = [&](Triangle t) {
       std::sort(t.begin(), t.end());
@@ -106,6 +107,11 @@ private:
     };
     m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, is_suspect, cancellation_point);
     m_kept.clear();
+    const Star_table& stars = m_builder.compatibility().stars();
+    for (Point_index p : unclosed)
+      for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+        if (stars.neighbor(s) != NO_POINT)
+          m_crossings.emplace_back(p, stars.neighbor(s));
     for (std::size_t i = 0, n = m_crossings.size(); i != n; ++i)
       m_crossings.emplace_back(m_crossings[i].second, m_crossings[i].first);
     std::sort(m_crossings.begin(), m_crossings.end());
@@ -181,10 +187,11 @@ private:
     }
   }
 
-  bool is_closed() const
+  bool is_closed_but_for(const std::vector<Point_index>& unclosed) const
   {
     return std::none_of(m_component.begin(), m_component.end(), [&](Point_index p) {
-      return m_builder.is_open(p) && m_builder.number_of_boundary_edges(p) != 0;
+      return m_builder.is_open(p) && m_builder.number_of_boundary_edges(p) != 0 &&
+             !std::binary_search(unclosed.begin(), unclosed.end(), p);
     });
   }
 

@@ -44,15 +44,34 @@ public:
     : m_points(points), m_builder(builder), m_maximum_size(maximum_size), m_fill(points, builder)
   { }
 
-  // Ends early if cancelled.
+  // Returns whether all loops are closed that had to be. Ends early if cancelled.
   template <typename IsBoundary, typename Progress, typename OnVerdict>
-  void operator()(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
+  bool operator()(const IsBoundary& is_boundary, Progress& progress, OnVerdict on_verdict)
   {
     Cancellation_point<Progress> cancellation_point(progress);
     try {
-      fill_and_widen(is_boundary, cancellation_point, on_verdict);
+      return fill_and_widen(is_boundary, cancellation_point, on_verdict);
     } catch (const Cancelled&) {
     }
+    return true;
+  }
+
+  // The points of the loops that had to be closed and are not, increasing. Ends early if cancelled.
+  template <typename IsBoundary, typename Progress>
+  std::vector<Point_index> points_of_failed_loops(const IsBoundary& is_boundary, Progress& progress) const
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    std::vector<Point_index> result;
+    Flat_sheet<Builder> flat_sheet(m_points, m_builder);
+    try {
+      for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point))
+        if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
+            !(do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point)))
+          result.insert(result.end(), loop.begin(), loop.end());
+    } catch (const Cancelled&) {
+    }
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
@@ -96,13 +115,13 @@ private:
   static constexpr std::size_t MAXIMUM_ROUNDS = 12;
 
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
-  void fill_and_widen(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  bool fill_and_widen(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       const std::vector<Boundary_loop> failed = fill_loops(is_boundary, cancellation_point, on_verdict);
       const bool is_single = keep_largest_fans(cancellation_point);
       if (failed.empty() && is_single)
-        return;
+        return true;
       if (round + 1 == MAXIMUM_ROUNDS)
         break;
       for (const Boundary_loop& loop : failed)
@@ -110,6 +129,7 @@ private:
     }
     restore_rings(cancellation_point);
     keep_largest_fans(cancellation_point);
+    return false;
   }
 
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>

@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Removes the islands of a surface: components without an agreed point, all of whose points have a
-// point of another component in their star. No chart vouches for an island, and every chart on it
-// says that it belongs to its surroundings; its points are left to the insertion of points.
+// Removes the islands of a surface: components without an agreed point that has kept its star, all of whose
+// points have a point of another component in their star. No chart vouches for an island, and every chart on
+// it says that it belongs to its surroundings; its points are left to the insertion of points.
 template <typename Builder>
 class Island_removal
 {
@@ -39,14 +39,24 @@ public:
     m_is_visited.assign(m_builder.number_of_points(), 0);
     const std::vector<Point_index> open_points = m_builder.open_points();
     for (Point_index p : open_points)
-      if (!m_is_visited[p] && !m_builder.compatibility().is_point_agreed(p) && !m_builder.corners(p).empty() &&
+      if (!m_is_visited[p] && !is_vouched_for(p) && !m_builder.corners(p).empty() &&
           find_component(p) && is_reached_from_outside())
         remove_component();
   }
 
 private:
-  // Collects the part of the component of p that agreed points do not cut off; false if there is such
-  // a point.
+  // Whether p is agreed and has all triangles of its star; the closing of holes may have removed some.
+  bool is_vouched_for(Point_index p) const
+  {
+    const Star_compatibility& compatibility = m_builder.compatibility();
+    if (!compatibility.is_point_agreed(p) || !m_builder.is_open(p))
+      return compatibility.is_point_agreed(p);
+    const Star_table& stars = compatibility.stars();
+    const std::size_t triangles = stars.end(p) - stars.begin(p) - (compatibility.is_point_on_boundary(p) ? 2 : 0);
+    return m_builder.corners(p).size() >= triangles;
+  }
+
+  // Collects the part of the component of p that such points do not cut off; false if there is one.
   bool find_component(Point_index p)
   {
     bool is_island = true;
@@ -56,7 +66,7 @@ private:
       const auto& corners = m_builder.corners(m_component[i]);
       for (const auto& corner : corners)
         for (Point_index r : { corner.a, corner.b })
-          if (m_builder.compatibility().is_point_agreed(r)) {
+          if (is_vouched_for(r)) {
             is_island = false;
           } else if (!m_is_visited[r]) {
             m_is_visited[r] = 1;

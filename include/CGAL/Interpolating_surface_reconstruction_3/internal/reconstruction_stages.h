@@ -32,6 +32,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -127,31 +128,37 @@ public:
     const auto is_boundary = [&](const Boundary_loop& loop) {
       return m_options.keep_boundaries && are_most_stars_open(builder, loop);
     };
-    close(is_boundary, m_progress, [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
+    const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
-    });
+    };
+    const bool is_closed = close(is_boundary, m_progress, on_verdict);
     Island_removal<Builder> remove_islands(builder);
     remove_islands();
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
     std::size_t unused = insert(m_progress);
-    unused = remove_crossings(first_late, builder, insert, unused);
+    std::vector<Point_index> unclosed;
+    if (!is_closed)
+      unclosed = close.points_of_failed_loops(is_boundary, m_progress);
+    unused = remove_crossings(first_late, std::move(unclosed), builder, insert, unused);
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);
   }
 
-  // Removes crossings of the triangles stored from `first` on. The new ones of a component may cross others, and so may
-  // points that were left out when they are inserted again. Returns the number of unused points, which was `unused`.
-  std::size_t remove_crossings(typename Builder::Triangle_index first, Builder& builder,
-                               Point_insertion<Builder>& insert, std::size_t unused)
+  // Removes crossings of the triangles stored from `first` on, and the loops of the points `unclosed`. The new triangles
+  // of a component may cross others, and so may points that were left out when they are inserted again. Returns the
+  // number of unused points, which was `unused`.
+  std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
+                               Builder& builder, Point_insertion<Builder>& insert, std::size_t unused)
   {
     constexpr int MAXIMUM_PASSES = 2;
     Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder);
     for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
-      if (!remove(first, m_progress))
+      if (!remove(first, unclosed, m_progress))
         break;
+      unclosed.clear();
       unused = insert(m_progress);
       first = next;
     }

@@ -37,7 +37,9 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Grows the surface from the most planar star (thesis 3.3): the triangle that is attached next is, of the
-// candidates of all edges of the front, the one that is the most coplanar with the surface beside it.
+// candidates of all edges of the front, the one that is the most coplanar with the surface beside it. Of
+// agreed candidates that are about as coplanar, the order is free, for they do not compete: which of them
+// are attached before the first disputed one of their class does not depend on it.
 // There is no bound on the angle. When the front has no candidate left, the growth begins again at the
 // most planar star that it has not reached.
 //
@@ -251,7 +253,8 @@ private:
     if (candidate.apex == NO_POINT)
       return;
     const auto ends = sorted_ends(e);
-    m_queue.push(Entry{ candidate.coplanarity, { { ends.first, ends.second, candidate.apex } }, e });
+    m_queue.push(Entry{ candidate.coplanarity, { { ends.first, ends.second, candidate.apex } }, e },
+                 !candidate.is_agreed);
   }
 
   static constexpr std::size_t STEPS_PER_POLL = 1024;
