@@ -102,10 +102,15 @@ std::size_t crossings_of(const Hand_surface& s, std::size_t first)
   return crossings_of(s, first, [](const Builder::Triangle&) { return true; });
 }
 
-bool remove_crossings(Hand_surface& s, std::size_t first = 0)
+// `unclosed` in the order of the input.
+bool remove_crossings(Hand_surface& s, std::size_t first = 0, const std::vector<std::size_t>& unclosed = {})
 {
+  std::vector<Point_index> points;
+  for (std::size_t p : unclosed)
+    points.push_back(s.indices[p]);
+  std::sort(points.begin(), points.end());
   return Crossing_removal<CGAL::Sequential_tag, Builder>(s.cloud.positions(), {}, s.builder)(
-    static_cast<Builder::Triangle_index>(first), no_progress);
+    static_cast<Builder::Triangle_index>(first), points, no_progress);
 }
 
 void test_spike()
@@ -174,6 +179,47 @@ void test_left_alone()
   ISR_CHECK(crossings_of(t, 0) != 0);
   ISR_CHECK(!remove_crossings(t));
   ISR_CHECK(sorted(t.triangles()) == sorted(triples));
+}
+
+// Holes of four edges in a globe.
+void test_unclosed_loops()
+{
+  const Mesh mesh = rough_globe(7, 9);
+  const Triples holes[] = { { mesh.triples[27], mesh.triples[28] }, { mesh.triples[63], mesh.triples[64] } };
+  std::vector<std::size_t> corners[2];
+  for (int i = 0; i != 2; ++i) {
+    for (const Triple& t : holes[i])
+      corners[i].insert(corners[i].end(), t.begin(), t.end());
+    std::sort(corners[i].begin(), corners[i].end());
+    corners[i].erase(std::unique(corners[i].begin(), corners[i].end()), corners[i].end());
+    ISR_CHECK_EQUAL(corners[i].size(), 4u);
+  }
+  const auto remove_triangles = [&](Hand_surface& s, int i) {
+    for (const Triple& t : holes[i])
+      s.remove(t[0], t[1], t[2]);
+  };
+  const Links links = links_of(mesh.points.size(), mesh.triples);
+
+  begin_case("loop to be closed");
+  Hand_surface s(mesh.points, links);
+  remove_triangles(s, 0);
+  ISR_CHECK_EQUAL(validation::boundary_edges(s.triangles()).size(), 4u);
+  ISR_CHECK(!remove_crossings(s));
+  ISR_CHECK(remove_crossings(s, 0, corners[0]));
+  const Triples triples = s.triangles();
+  ISR_CHECK(!has_self_intersection(mesh.points, triples));
+  ISR_CHECK(validation::is_oriented_manifold(mesh.points, triples, Kernel()));
+  ISR_CHECK(validation::boundary_edges(triples).empty());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), 2);
+  ISR_CHECK_EQUAL(validation::used_points(triples).size(), mesh.points.size());
+
+  begin_case("loop to be closed beside one that stays");
+  Hand_surface t(mesh.points, links);
+  remove_triangles(t, 0);
+  remove_triangles(t, 1);
+  const Triples before = t.triangles();
+  ISR_CHECK(!remove_crossings(t, 0, corners[0]));
+  ISR_CHECK(sorted(t.triangles()) == sorted(before));
 }
 
 std::vector<isr_internal::Local_point> local_points(const Points& points)
@@ -256,6 +302,7 @@ int main()
   test_spike();
   test_two_components();
   test_left_alone();
+  test_unclosed_loops();
   test_sides();
   return result();
 }

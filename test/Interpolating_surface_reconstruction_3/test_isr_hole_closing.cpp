@@ -4,6 +4,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ using isr_internal::Boundary_loop;
 using isr_internal::Boundary_loops;
 using isr_internal::Hole_closing;
 using isr_internal::Hole_filler;
+using isr_internal::Island_removal;
 using isr_internal::Point_insertion;
 using isr_internal::Point_octree_3;
 using Builder = Hand_surface::Builder;
@@ -36,9 +38,22 @@ bool fill(Hand_surface& s, const std::vector<std::size_t>& loop)
   return Hole_filler<Builder>(s.cloud.positions(), s.builder)(indices, ignore_verdict);
 }
 
-void close(Hand_surface& s, std::size_t maximum_size = UNLIMITED)
+bool close(Hand_surface& s, std::size_t maximum_size = UNLIMITED)
 {
-  Hole_closing<Builder>(s.cloud.positions(), s.builder, maximum_size)(no_boundary, no_progress, ignore_verdict);
+  return Hole_closing<Builder>(s.cloud.positions(), s.builder, maximum_size)(no_boundary, no_progress, ignore_verdict);
+}
+
+// In the order of the input.
+template <typename IsBoundary>
+std::vector<std::size_t> points_of_failed_loops(Hand_surface& s, std::size_t maximum_size,
+                                                const IsBoundary& is_boundary)
+{
+  const Hole_closing<Builder> close(s.cloud.positions(), s.builder, maximum_size);
+  std::vector<std::size_t> result;
+  for (Point_index p : close.points_of_failed_loops(is_boundary, no_progress))
+    result.push_back(s.cloud.input_index(p));
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 std::vector<Boundary_loop> loops_of(const Hand_surface& s)
@@ -157,7 +172,9 @@ void test_used_chords()
   const Triples before = s.triangles();
   ISR_CHECK(!fill(s, { a, b, c, d }));
   ISR_CHECK(s.triangles() == before);
-  close(s, 12); // the triangles in the way go; the outline of the sheet has 20 edges
+  ISR_CHECK((points_of_failed_loops(s, 12, no_boundary) == std::vector<std::size_t>{ a, d, b, c, 36, 37 }));
+  ISR_CHECK(close(s, 12)); // the triangles in the way go; the outline of the sheet has 20 edges
+  ISR_CHECK(points_of_failed_loops(s, 12, no_boundary).empty());
   ISR_CHECK(is_manifold(s, points));
   ISR_CHECK_EQUAL(loops_of(s).size(), 1u);
   ISR_CHECK_EQUAL(s.triangles().size(), 50u);
@@ -200,8 +217,59 @@ void test_flat_sheet()
   ISR_CHECK(s.add(mesh.triples));
   ISR_CHECK(!Hole_filler<Builder>(s.cloud.positions(), s.builder)(loops_of(s)[0], ignore_verdict));
   ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
-  close(s);
+  ISR_CHECK(!close(s));
   ISR_CHECK(canonical(s.triangles()) == canonical(mesh.triples));
+  // The stars that end along the outline tell that it is one.
+  Hand_surface t(mesh.points, links_of(mesh.points.size(), mesh.triples));
+  ISR_CHECK(close(t));
+  ISR_CHECK(canonical(t.triangles()) == canonical(mesh.triples));
+}
+
+// Loops that are left, but for those that are to stay.
+void test_failed_loops()
+{
+  begin_case("failed loops");
+  const std::size_t n = 7;
+  const Mesh pipe = wall(n, 1.);
+  Hand_surface s(pipe.points, links_of(pipe.points.size(), pipe.triples));
+  ISR_CHECK_EQUAL(points_of_failed_loops(s, UNLIMITED, no_boundary).size(), 2 * n);
+  ISR_CHECK_EQUAL(points_of_failed_loops(s, n, no_boundary).size(), 2 * n);
+  ISR_CHECK(points_of_failed_loops(s, n - 1, no_boundary).empty());
+  int loops = 0;
+  const auto is_first = [&](const Boundary_loop&) { return loops++ == 0; };
+  ISR_CHECK_EQUAL(points_of_failed_loops(s, UNLIMITED, is_first).size(), n);
+
+  // The stars end along the outline, not along the hole.
+  begin_case("failed loop of a flat sheet");
+  const Mesh flat = sheet(9);
+  Hand_surface t(flat.points, links_of(flat.points.size(), flat.triples));
+  ISR_CHECK(points_of_failed_loops(t, UNLIMITED, no_boundary).empty());
+  const Triple hole = flat.triples[flat.triples.size() / 2];
+  t.remove(hole[0], hole[1], hole[2]);
+  std::vector<std::size_t> corners(hole.begin(), hole.end());
+  std::sort(corners.begin(), corners.end());
+  ISR_CHECK(points_of_failed_loops(t, UNLIMITED, no_boundary) == corners);
+}
+
+// What holes have left of a sheet whose stars all agree: islands, but for the fan of a point that has kept its star.
+void test_islands()
+{
+  begin_case("islands");
+  const std::size_t m = 9, hub = 5 * (m + 1) + 5;
+  const Mesh flat = sheet(m);
+  Hand_surface s(flat.points, links_of(flat.points.size(), flat.triples));
+  Triples fan;
+  for (std::size_t i = 0; i != flat.triples.size(); ++i) {
+    const Triple& t = flat.triples[i];
+    if (std::count(t.begin(), t.end(), hub) != 0)
+      fan.push_back(t);
+    else if (i != 20) // apart from the fan
+      s.remove(t[0], t[1], t[2]);
+  }
+  ISR_CHECK_EQUAL(s.triangles().size(), 7u);
+  Island_removal<Builder> remove_islands(s.builder);
+  remove_islands();
+  ISR_CHECK(canonical(s.triangles()) == canonical(fan));
 }
 
 void test_maximum_size()
@@ -384,6 +452,8 @@ int main()
   test_no_loops();
   test_long_loop();
   test_flat_sheet();
+  test_failed_loops();
+  test_islands();
   test_maximum_size();
   test_largest_fans();
   test_many_holes();

@@ -38,9 +38,10 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Replaces closed components that cross themselves or each other, as holes can make them that are closed without
-// regard to what is near, and those with holes that could not be closed. Delaunay facets do not cross: the cells of the points of a component are labelled by the side
-// of the surface on which they are and, around crossings, by the linear implicit function of its normals
-// (thesis 5.2); then the surface between the labels is bent as little as possible there.
+// regard to what is near, and those with holes that could not be closed. Delaunay facets do not cross: the cells of
+// the points of a component are labelled by the side of the surface on which they are and, around crossings and
+// holes, by the linear implicit function of its normals (thesis 5.2); then the surface between the labels is bent as
+// little as possible there.
 template <typename ConcurrencyTag, typename Builder>
 class Crossing_removal
 {
@@ -52,8 +53,8 @@ public:
     : m_points(points), m_given_normals(normals), m_builder(builder)
   { }
 
-  // Only triangles stored from `first` on may cross others; the sorted points `unclosed` are on holes that could not be
-  // closed. Returns whether the surface has changed. Points may be left out. Ends early if cancelled.
+  // Only triangles stored from `first` on may cross others; the increasing points `unclosed` are on holes that could
+  // not be closed. Returns whether the surface has changed. Points may be left out. Ends early if cancelled.
   template <typename Progress>
   bool operator()(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed, Progress& progress)
   {

@@ -71,6 +71,7 @@ public:
     } catch (const Cancelled&) {
     }
     std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 

@@ -146,9 +146,9 @@ public:
     m_progress.end_stage(attached);
   }
 
-  // Removes crossings of the triangles stored from `first` on, and the loops of the points `unclosed`. The new triangles
-  // of a component may cross others, and so may points that were left out when they are inserted again. Returns the
-  // number of unused points, which was `unused`.
+  // Removes crossings of the triangles stored from `first` on, and the loops of the points `unclosed`. The new
+  // triangles of a component may cross others, and so may points that were left out when they are inserted again.
+  // Returns the number of unused points, which was `unused`.
   std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
                                Builder& builder, Point_insertion<Builder>& insert, std::size_t unused)
   {
