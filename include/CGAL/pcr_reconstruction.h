@@ -39,7 +39,8 @@ most one candidate triangle: of the points beyond the edge that the stars of its
 nearest two are compared by the regularity of the triangles that they make; where there is none, a triangle
 between adjacent edges is considered. Of all candidates, the one that is the most coplanar with the
 triangle beside it is attached next, so that flat regions are meshed before curved ones; no angle is too
-sharp. When no edge has a candidate left, the growth begins again at the most planar star that was not
+sharp. Among candidates on which the stars agree, the most coplanar means to within a factor of \f$ \sqrt 2 \f$ of
+the angle. When no edge has a candidate left, the growth begins again at the most planar star that was not
 reached. Where the stars conflict so that no candidate is consistent with them, the surface is completed as
 by `ctc_reconstruction()`: by facets of Delaunay tetrahedra, and by closing of loops.
 
