@@ -39,8 +39,8 @@ public:
     m_is_visited.assign(m_builder.number_of_points(), 0);
     const std::vector<Point_index> open_points = m_builder.open_points();
     for (Point_index p : open_points)
-      if (!m_is_visited[p] && !is_vouched_for(p) && !m_builder.corners(p).empty() &&
-          find_component(p) && is_reached_from_outside())
+      if (!m_is_visited[p] && !is_vouched_for(p) && !m_builder.corners(p).empty() && find_component(p) &&
+          is_reached_from_outside())
         remove_component();
   }
 
