@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Bending_edges.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -45,9 +46,9 @@ public:
   template <typename IsAgreed, typename IsInScope, typename Cancellation_point>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                  const IsAgreed& is_agreed, const IsInScope& is_in_scope, Cancellation_point&& cancellation_point)
-    : m_cells(cells), m_points(points), m_labelling(labelling), m_stars(cells, labelling),
-      m_defect_costs(cells.points().size(), 0.), m_defects(cells.points().size(), NOT_COUNTED),
-      m_agreed(cells.size(), 0)
+    : m_cells(cells), m_points(points), m_labelling(labelling), m_edges(cells, points, labelling),
+      m_stars(cells, labelling), m_defect_costs(cells.points().size(), 0.),
+      m_defects(cells.points().size(), NOT_COUNTED), m_agreed(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
@@ -70,11 +71,11 @@ public:
   {
     m_last = c;
     double result = 0.;
-    for (std::size_t i = 0; i != 4; ++i)
-      for (std::size_t j = i + 1; j != 4; ++j) {
-        result += cost_at_edge(c, i, j);
-        m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = m_facets_at_edge != 0;
-      }
+    for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e) {
+      const std::size_t i = Edges::ENDS[e][0], j = Edges::ENDS[e][1];
+      result += m_edges.cost_of_change(c, e);
+      m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = m_edges.is_on_surface(c, e);
+    }
     for (std::size_t i = 0; i != 4; ++i) {
       m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);
       if (m_agreement != 0. && is_agreed(c, i))
@@ -88,10 +89,11 @@ public:
   // Whether the surface bends by more than the angle at an edge of the finite cell, or is no manifold at a vertex.
   bool bends_more_than(double angle, Cell_index c)
   {
-    m_largest_bending = 0.;
-    cost_of_change(c);
-    return m_largest_bending > angle || std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
-                                                    [&](Point_index p) { return defects(position_of(p), c) != 0; });
+    for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e)
+      if (m_edges.bending(c, e) > angle)
+        return true;
+    return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
+                       [&](Point_index p) { return defects(position_of(p), c) != 0; });
   }
 
   // Of the vertices of a cell.
@@ -104,17 +106,15 @@ public:
       cost_of_change(c);
     const Defects after = m_defects_after_change;
     const Defects before = set_defects(c, after);
-    m_labelling.flip(c);
-    m_last = Cell_complex::NO_CELL;
+    flip(c);
     return before;
   }
 
   // Takes the last change back that is not yet taken back.
   void change_back(Cell_index c, const Defects& before)
   {
-    m_labelling.flip(c);
+    flip(c);
     set_defects(c, before);
-    m_last = Cell_complex::NO_CELL;
   }
 
   // From now on, an agreed facet on the surface is worth half of its perimeter times the factor.
@@ -140,15 +140,19 @@ public:
   Label_stars<Labelling>& stars() { return m_stars; }
 
 private:
+  using Edges = Bending_edges<Labelling>;
+
   // Edges of mean length that a defect costs.
   static constexpr double DEFECT_EDGES = 3.;
 
   static constexpr int NOT_COUNTED = -1;
 
-  // Worth of an edge where the surface is flat.
-  static constexpr double FLAT_SHARE = .1;
-
-  static constexpr double PI = 3.14159265358979323846;
+  void flip(Cell_index c)
+  {
+    m_labelling.flip(c);
+    m_edges.flip(c);
+    m_last = Cell_complex::NO_CELL;
+  }
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
@@ -195,71 +199,6 @@ private:
   }
 
   double length(Point_index p, Point_index q) const { return std::sqrt((m_points[q] - m_points[p]).squared_length()); }
-
-  // The change of the energy of the edge between vertices i and j.
-  double cost_at_edge(Cell_index c, std::size_t i, std::size_t j)
-  {
-    const Point_index p = m_cells[c].vertices[i], q = m_cells[c].vertices[j];
-    if (p == NO_POINT || q == NO_POINT)
-      return 0.;
-    std::size_t exit = 0;
-    while (exit == i || exit == j)
-      ++exit;
-    const std::size_t last = 6 - i - j - exit; // the indices of a cell add up to 6
-    const Point_index first_apex = m_cells[c].vertices[last], last_apex = m_cells[c].vertices[exit];
-    m_inner_facets = 0;
-    // Around the edge, from facet to facet, but for the two facets of the cell itself.
-    Cell_index current = m_cells[c].neighbors[exit];
-    Point_index apex = first_apex;
-    bool label = m_labelling.label(current);
-    const bool first_label = label;
-    while (true) {
-      const auto& vertices = m_cells[current].vertices;
-      const std::size_t k =
-        (vertices[1] == apex ? 1u : 0u) + (vertices[2] == apex ? 2u : 0u) + (vertices[3] == apex ? 3u : 0u);
-      const Cell_index next = m_cells[current].neighbors[k];
-      apex ^= p ^ q ^ vertices[0] ^ vertices[1] ^ vertices[2] ^ vertices[3]; // the fourth vertex
-      if (next == c)
-        break;
-      const bool next_label = m_labelling.label(next);
-      if (next_label != label) {
-        if (m_inner_facets < m_apexes.size())
-          m_apexes[m_inner_facets] = apex;
-        ++m_inner_facets;
-      }
-      label = next_label;
-      current = next;
-    }
-    const bool own = m_labelling.label(c);
-    m_facets_at_edge = m_inner_facets + (own != first_label ? 1 : 0) + (own != label ? 1 : 0);
-    const double now = energy_of_edge(p, q, own != first_label, own != label, first_apex, last_apex);
-    m_largest_bending = (std::max)(m_largest_bending, m_bending);
-    return energy_of_edge(p, q, own == first_label, own == label, first_apex, last_apex) - now;
-  }
-
-  // The energy of an edge with the inner facets of the surface and the two others if they are on it.
-  double energy_of_edge(Point_index p, Point_index q, bool has_first, bool has_last, Point_index first,
-                        Point_index last)
-  {
-    const std::size_t inner = m_inner_facets, facets = inner + (has_first ? 1 : 0) + (has_last ? 1 : 0);
-    m_bending = facets == 0 ? 0. : PI;
-    if (facets == 0)
-      return 0.;
-    if (facets != 2)
-      return length(p, q) * double(facets / 2) * (FLAT_SHARE + .5 * PI * PI);
-    const Point_index a = inner != 0 ? m_apexes[0] : first, b = inner == 2 ? m_apexes[1] : has_last ? last : first;
-    m_bending = a == NO_POINT || b == NO_POINT ? 0. : bending_angle(p, q, a, b);
-    return length(p, q) * (FLAT_SHARE + .5 * m_bending * m_bending);
-  }
-
-  // Between the planes of triangles p, q, a and q, p, b: 0 if they are flat.
-  double bending_angle(Point_index p, Point_index q, Point_index a, Point_index b) const
-  {
-    const Local_vector e = m_points[q] - m_points[p];
-    const Local_vector m = cross_product(e, m_points[a] - m_points[p]), n = cross_product(m_points[b] - m_points[p], e);
-    const double scale = std::sqrt(m.squared_length() * n.squared_length());
-    return scale == 0. ? PI : std::acos((std::max)(-1., (std::min)(1., m * n / scale)));
-  }
 
   // The change of the defects at vertex i. Where there are none, the surface meets a sphere around the point in
   // one cycle of arcs, and it is known what the triangle of the cell there does to it.
@@ -310,15 +249,12 @@ private:
   const Cell_complex& m_cells;
   const std::vector<Local_point>& m_points;
   Labelling& m_labelling;
+  Edges m_edges;
   Label_stars<Labelling> m_stars;
   std::vector<double> m_defect_costs;  // of the vertices; 0 out of the scope
   std::vector<int> m_defects;          // of the vertices, now
   std::vector<unsigned char> m_agreed; // facets of the cells, as bits
   double m_agreement = 0.;
-  double m_bending = 0., m_largest_bending = 0.; // at the last edge; at edges as they are
-  std::size_t m_facets_at_edge = 0;              // on the surface, around the last edge
-  std::size_t m_inner_facets = 0;                // of them, those not of the cell, and the apexes of the first two
-  std::array<Point_index, 2> m_apexes{};
   Cell_index m_last = Cell_complex::NO_CELL; // cell whose cost has been told
   // Of the last cell.
   Defects m_defects_after_change{};
