@@ -50,7 +50,7 @@ std::vector<std::size_t> points_of_failed_loops(Hand_surface& s, std::size_t max
 {
   const Hole_closing<Builder> close(s.cloud.positions(), s.builder, maximum_size);
   std::vector<std::size_t> result;
-  for (Point_index p : close.points_of_failed_loops(is_boundary, no_progress))
+  for (Point_index p : close.find_open_loops(is_boundary, no_progress).points_of_failed)
     result.push_back(s.cloud.input_index(p));
   std::sort(result.begin(), result.end());
   return result;

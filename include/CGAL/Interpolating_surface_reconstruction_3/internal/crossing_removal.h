@@ -25,7 +25,9 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_area.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
@@ -207,22 +209,13 @@ private:
     Triangles old;
     std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
                  [&](const Triangle& t) { return std::binary_search(m_component.begin(), m_component.end(), t[0]); });
-    const double old_area = area(old);
+    const double old_area = surface_area(m_points, old);
     Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     bend_less(cells, labelling, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     Triangles result = facets_between_labels(cells, labelling, cancellation_point);
-    return area(result) > MAXIMUM_GROWTH * old_area ? Triangles() : result;
-  }
-
-  double area(const Triangles& triangles) const
-  {
-    double result = 0.;
-    for (const Triangle& t : triangles)
-      result +=
-        std::sqrt(cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]).squared_length()) / 2;
-    return result;
+    return surface_area(m_points, result) > MAXIMUM_GROWTH * old_area ? Triangles() : result;
   }
 
   template <typename Progress, typename CancellationPoint>
@@ -263,26 +256,9 @@ private:
   {
     if (added.empty())
       return false;
-    Triangles removed;
-    for (Point_index p : m_component) {
-      cancellation_point();
-      m_builder.open(p);
-      m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
-        if (t[0] < t[1] && t[0] < t[2])
-          removed.push_back(t);
-      });
-    }
-    for (const Triangle& t : removed)
-      remove(t);
-    std::sort(added.begin(), added.end());
-    for (std::size_t i = 0; i != added.size(); ++i)
-      if (m_builder.try_add(added[i][0], added[i][1], added[i][2]) != Triangle_verdict::ADDED) {
-        while (i-- != 0)
-          remove(added[i]);
-        for (const Triangle& t : removed)
-          m_builder.restore(t);
-        return false;
-      }
+    Triangles removed = exchange_triangles(m_builder, m_component, added, cancellation_point);
+    if (removed.empty())
+      return false;
     keep(std::move(removed), std::move(added));
     return true;
   }
@@ -299,8 +275,6 @@ private:
     std::set_intersection(old.begin(), old.end(), replacement.begin(), replacement.end(), std::back_inserter(m_kept));
     std::inplace_merge(m_kept.begin(), m_kept.begin() + middle, m_kept.end());
   }
-
-  void remove(const Triangle& t) { m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2])); }
 
   const std::vector<Local_point>& m_points;
   const std::vector<Local_vector>& m_given_normals;

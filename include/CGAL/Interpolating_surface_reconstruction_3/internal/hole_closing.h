@@ -56,22 +56,33 @@ public:
     return true;
   }
 
-  // The points of the loops that had to be closed and are not, increasing. Ends early if cancelled.
+  // Loops that are still open although they had to be closed: what could not be, and the outlines of flat sheets.
+  struct Open_loops
+  {
+    std::vector<Point_index> points_of_failed; // increasing
+    std::vector<Boundary_loop> outlines;       // in canonical order
+  };
+
+  // Ends early if cancelled.
   template <typename IsBoundary, typename Progress>
-  std::vector<Point_index> points_of_failed_loops(const IsBoundary& is_boundary, Progress& progress) const
+  Open_loops find_open_loops(const IsBoundary& is_boundary, Progress& progress) const
   {
     Cancellation_point<Progress> cancellation_point(progress);
-    std::vector<Point_index> result;
+    Open_loops result;
+    std::vector<Point_index>& points = result.points_of_failed;
     Flat_sheet<Builder> flat_sheet(m_points, m_builder);
     try {
       for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point))
-        if (loop.size() <= m_maximum_size && !is_boundary(loop) &&
-            !(do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point)))
-          result.insert(result.end(), loop.begin(), loop.end());
+        if (loop.size() <= m_maximum_size && !is_boundary(loop)) {
+          if (do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point))
+            result.outlines.push_back(loop);
+          else
+            points.insert(points.end(), loop.begin(), loop.end());
+        }
     } catch (const Cancelled&) {
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return result;
   }
 

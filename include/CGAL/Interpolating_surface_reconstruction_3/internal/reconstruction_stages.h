@@ -26,6 +26,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/sheet_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
 
@@ -135,11 +136,13 @@ public:
     const bool is_closed = close(is_boundary, m_progress, on_verdict);
     Island_removal<Builder> remove_islands(builder);
     remove_islands();
+    Sheet_joining<ConcurrencyTag, Builder> join_sheets(m_cloud.positions(), builder);
+    join_sheets(close.find_open_loops(is_boundary, m_progress).outlines, m_progress);
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
     std::size_t unused = insert(m_progress);
     std::vector<Point_index> unclosed;
     if (!is_closed)
-      unclosed = close.points_of_failed_loops(is_boundary, m_progress);
+      unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
     unused = remove_crossings(first_late, std::move(unclosed), builder, insert, unused);
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SHEET_JOINING_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SHEET_JOINING_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_area.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Joins flat sheets to one closed surface. A machine part that is cut out of a plate has points on its edges only: the
+// stars agree on its two faces, and that each of them ends at its outline. One sheet cannot be closed by triangles
+// between its points, but several can if each has all others on one side, which then is the inside: the linear
+// implicit function of the normals that this gives to the sheets (thesis 5.2) labels the cells of all points.
+template <typename ConcurrencyTag, typename Builder>
+class Sheet_joining
+{
+public:
+  Sheet_joining(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
+
+  // `outlines` are those of flat sheets. Returns whether the surface has changed; ends early if cancelled.
+  template <typename Progress>
+  bool operator()(const std::vector<Boundary_loop>& outlines, Progress& progress)
+  {
+    if (outlines.size() < 2)
+      return false;
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      collect_sheets(outlines, cancellation_point);
+      if (m_sheets.size() < 2 || !find_normals(cancellation_point))
+        return false;
+      return join(progress, cancellation_point);
+    } catch (const Cancelled&) {
+    }
+    return false;
+  }
+
+private:
+  using Triangle = std::array<Point_index, 3>;
+
+  // That of a cube with two opposite faces sampled. Sheets farther apart than they are wide are two parts.
+  static constexpr double MAXIMUM_GROWTH = 3.;
+
+  struct Sheet
+  {
+    std::vector<Point_index> points;
+    Local_point origin;
+    Local_vector normal;
+    double thickness; // what the sampling does not tell from a sheet: the mean edge of the outline
+  };
+
+  template <typename CancellationPoint>
+  void collect_sheets(const std::vector<Boundary_loop>& outlines, CancellationPoint& cancellation_point)
+  {
+    m_is_visited.assign(m_points.size(), 0);
+    m_sheets.clear();
+    for (const Boundary_loop& outline : outlines) {
+      if (m_is_visited[outline.front()])
+        continue;
+      m_sheets.push_back(sheet_in(outline));
+      std::vector<Point_index>& points = m_sheets.back().points;
+      m_is_visited[outline.front()] = 1;
+      points.push_back(outline.front());
+      for (std::size_t i = 0; i != points.size(); ++i) {
+        cancellation_point();
+        m_builder.for_each_triangle_at(points[i], [&](const Triangle& t) {
+          for (Point_index p : t)
+            if (!m_is_visited[p]) {
+              m_is_visited[p] = 1;
+              points.push_back(p);
+            }
+        });
+      }
+    }
+  }
+
+  // Without its points.
+  Sheet sheet_in(const Boundary_loop& outline) const
+  {
+    const Local_point& origin = m_points[outline.front()];
+    Local_vector normal(0, 0, 0);
+    double length = 0.;
+    for (std::size_t i = 0; i != outline.size(); ++i) {
+      const Local_point &p = m_points[outline[i]], &q = m_points[outline[(i + 1) % outline.size()]];
+      normal = normal + cross_product(p - origin, q - origin);
+      length += std::sqrt((q - p).squared_length());
+    }
+    return Sheet{ {}, origin, normal / std::sqrt(normal.squared_length()), length / double(outline.size()) };
+  }
+
+  // Turns the normal of each sheet away from all other sheets; false if they are not all on one side.
+  template <typename CancellationPoint>
+  bool find_normals(CancellationPoint& cancellation_point)
+  {
+    m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
+    for (Sheet& sheet : m_sheets) {
+      bool is_above = false, is_below = false, is_beside = false;
+      for (const Sheet& other : m_sheets) {
+        if (&other == &sheet)
+          continue;
+        for (Point_index p : other.points) {
+          cancellation_point();
+          const double height = sheet.normal * (m_points[p] - sheet.origin);
+          is_above = is_above || height > sheet.thickness;
+          is_below = is_below || height < -sheet.thickness;
+          is_beside = is_beside || std::abs(height) <= sheet.thickness;
+        }
+      }
+      if (is_beside || is_above == is_below)
+        return false;
+      for (Point_index p : sheet.points)
+        m_normals[p] = is_above ? -sheet.normal : sheet.normal;
+    }
+    return true;
+  }
+
+  template <typename Progress, typename CancellationPoint>
+  bool join(Progress& progress, CancellationPoint& cancellation_point)
+  {
+    std::vector<Point_index> points;
+    for (const Sheet& sheet : m_sheets)
+      points.insert(points.end(), sheet.points.begin(), sheet.points.end());
+    std::sort(points.begin(), points.end());
+    const Cell_complex cells(m_points, points, cancellation_point);
+    if (cells.size() == 0)
+      return false;
+    const Cell_signs signs(cells, m_points, m_normals);
+    Oriented_labelling labelling(cells, m_points, m_normals,
+                                 signs.template compute<ConcurrencyTag>([&] { return progress.advance(0.); }));
+    relax_labels(cells, labelling, cancellation_point);
+    make_manifold(cells, labelling, cancellation_point);
+    std::vector<Triangle> joined = facets_between_labels(cells, labelling, cancellation_point);
+    if (!has_all(points, joined) ||
+        surface_area(m_points, joined) > MAXIMUM_GROWTH * surface_area(m_points, triangles_at(points)))
+      return false;
+    return !exchange_triangles(m_builder, points, std::move(joined), cancellation_point).empty();
+  }
+
+  std::vector<Triangle> triangles_at(const std::vector<Point_index>& points) const
+  {
+    std::vector<Triangle> result;
+    for (Point_index p : points)
+      m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+        if (p == *std::min_element(t.begin(), t.end()))
+          result.push_back(t);
+      });
+    return result;
+  }
+
+  static bool has_all(const std::vector<Point_index>& points, const std::vector<Triangle>& triangles)
+  {
+    std::vector<Point_index> used;
+    for (const Triangle& t : triangles)
+      used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    return std::includes(used.begin(), used.end(), points.begin(), points.end());
+  }
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+  std::vector<Sheet> m_sheets;
+  std::vector<Local_vector> m_normals;
+  std::vector<unsigned char> m_is_visited; // of each point
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SHEET_JOINING_H

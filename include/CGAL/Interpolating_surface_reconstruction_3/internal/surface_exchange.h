@@ -1,0 +1,65 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_EXCHANGE_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_EXCHANGE_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Exchanges all triangles at the points, which other points have no triangles with, for the added ones. Returns the
+// triangles removed, or none and leaves the surface as it was if the gate of the builder refuses an added one.
+// `cancellation_point()` is called again and again and may throw, before anything changes.
+template <typename Builder, typename CancellationPoint>
+std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, const std::vector<Point_index>& points,
+                                                            std::vector<std::array<Point_index, 3> > added,
+                                                            CancellationPoint& cancellation_point)
+{
+  using Triangle = std::array<Point_index, 3>;
+  std::vector<Triangle> removed;
+  for (Point_index p : points) {
+    cancellation_point();
+    builder.open(p);
+    builder.for_each_triangle_at(p, [&](const Triangle& t) {
+      if (t[0] < t[1] && t[0] < t[2])
+        removed.push_back(t);
+    });
+  }
+  const auto remove = [&](const Triangle& t) { builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
+  std::for_each(removed.begin(), removed.end(), remove);
+  std::sort(added.begin(), added.end());
+  for (std::size_t i = 0; i != added.size(); ++i)
+    if (builder.try_add(added[i][0], added[i][1], added[i][2]) != Triangle_verdict::ADDED) {
+      while (i-- != 0)
+        remove(added[i]);
+      for (const Triangle& t : removed)
+        builder.restore(t);
+      return {};
+    }
+  return removed;
+}
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_SURFACE_EXCHANGE_H
