@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -35,22 +36,19 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   Small_surface_part(const Cell_complex& cells, const Labelling& labelling, Label_stars<Labelling>& stars)
-    : m_cells(cells), m_labelling(labelling), m_stars(stars)
+    : m_cells(cells), m_labelling(labelling), m_stars(stars), m_last_walks(cells.points().size(), 0)
   { }
 
   bool operator()(const std::vector<Cell_index>& cells)
   {
     find_starts(cells);
-    std::vector<Point_index> reached;
+    const std::uint32_t before = m_walk;
     for (const Place& start : m_starts) {
-      if (std::find(reached.begin(), reached.end(), start.point) != reached.end())
+      if (last_walk_to(start.point) > before)
         continue;
-      const bool is_small = walk(start);
-      if (is_small &&
-          std::any_of(m_starts.begin(), m_starts.end(), [&](const Place& s) { return !has_reached(s.point); }))
+      if (walk(start) && std::any_of(m_starts.begin(), m_starts.end(),
+                                     [&](const Place& s) { return last_walk_to(s.point) != m_walk; }))
         return true;
-      for (const Place& place : m_reached)
-        reached.push_back(place.point);
     }
     return false;
   }
@@ -67,10 +65,7 @@ private:
     bool operator<(const Place& other) const { return point < other.point; }
   };
 
-  bool has_reached(Point_index p) const
-  {
-    return std::any_of(m_reached.begin(), m_reached.end(), [p](const Place& place) { return place.point == p; });
-  }
+  std::uint32_t& last_walk_to(Point_index p) { return m_last_walks[m_cells.position(p)]; }
 
   // The vertices on the surface.
   void find_starts(const std::vector<Cell_index>& cells)
@@ -94,13 +89,17 @@ private:
   // Walks over the surface until it ends or has enough points; returns whether it has ended.
   bool walk(const Place& start)
   {
+    ++m_walk;
+    last_walk_to(start.point) = m_walk;
     m_reached.assign(1, start);
     for (std::size_t k = 0; k != m_reached.size(); ++k) {
       if (m_reached.size() >= MINIMUM_POINTS || m_stars.is_hub(m_cells.position(m_reached[k].point)))
         return false;
       for_each_neighbor(m_reached[k], [&](const Place& neighbor) {
-        if (!has_reached(neighbor.point))
+        if (last_walk_to(neighbor.point) != m_walk) {
+          last_walk_to(neighbor.point) = m_walk;
           m_reached.push_back(neighbor);
+        }
       });
     }
     return true;
@@ -126,6 +125,8 @@ private:
   const Labelling& m_labelling;
   Label_stars<Labelling>& m_stars;
   std::vector<Place> m_starts, m_reached;
+  std::uint32_t m_walk = 0;                // number of walks so far
+  std::vector<std::uint32_t> m_last_walks; // of each point: the last one that reached it, counted from 1
 };
 
 } // namespace internal

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,10 @@ public:
     for (Triangle& t : m_triangles)
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::sort(m_triangles.begin(), m_triangles.end());
+    m_begins.assign(cells.points().size() + 1, 0);
+    for (const Triangle& t : m_triangles)
+      ++m_begins[cells.position(t[0]) + 1];
+    std::partial_sum(m_begins.begin(), m_begins.end(), m_begins.begin());
     doubt_other_triangles(is_in_doubt, cancellation_point);
     find_sides(is_in_doubt, cancellation_point);
   }
@@ -59,6 +64,8 @@ public:
   Side operator[](Cell_index c) const { return m_sides[c]; }
 
 private:
+  static constexpr std::size_t NO_TRIANGLE = static_cast<std::size_t>(-1);
+
   static bool has_doubt(const Cell_complex::Cell& cell, const std::vector<unsigned char>& is_in_doubt)
   {
     return std::any_of(cell.vertices.begin(), cell.vertices.end(),
@@ -72,12 +79,22 @@ private:
     if (Cell_complex::is_infinite(f))
       return Side::UNKNOWN;
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    if (std::binary_search(m_triangles.begin(), m_triangles.end(), f))
+    if (find(f) != NO_TRIANGLE)
       return i % 2 == 0 ? Side::INSIDE : Side::OUTSIDE;
     std::swap(f[1], f[2]);
-    if (std::binary_search(m_triangles.begin(), m_triangles.end(), f))
+    if (find(f) != NO_TRIANGLE)
       return i % 2 == 0 ? Side::OUTSIDE : Side::INSIDE;
     return Side::UNKNOWN;
+  }
+
+  // The position of a triangle that begins at its smallest point; few have this point as the smallest one.
+  std::size_t find(const Triangle& t) const
+  {
+    const std::size_t v = m_cells.position(t[0]);
+    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
+      if (m_triangles[k] == t)
+        return k;
+    return NO_TRIANGLE;
   }
 
   template <typename CancellationPoint>
@@ -88,11 +105,13 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         Triangle f = Cell_complex::facet(m_cells[c], i);
+        if (m_cells[c].neighbors[i] < c || Cell_complex::is_infinite(f))
+          continue;
         std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
         for (int turn = 0; turn != 2; ++turn, std::swap(f[1], f[2])) {
-          const auto it = std::lower_bound(m_triangles.begin(), m_triangles.end(), f);
-          if (it != m_triangles.end() && *it == f)
-            is_facet[std::size_t(it - m_triangles.begin())] = 1;
+          const std::size_t found = find(f);
+          if (found != NO_TRIANGLE)
+            is_facet[found] = 1;
         }
       }
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
@@ -127,6 +146,7 @@ private:
 
   const Cell_complex& m_cells;
   std::vector<Triangle> m_triangles; // each from its smallest point on, sorted
+  std::vector<std::size_t> m_begins; // of the triangles whose smallest point is a point of the cells, for each
   std::vector<Side> m_sides;
 };
 

@@ -42,16 +42,25 @@ public:
     : m_cells(cells), m_positions(positions), m_normals(normals)
   { }
 
-  // Infinite cells get 1. Ends early, with values missing, if go_further() is false; it is called concurrently.
-  template <typename ConcurrencyTag, typename GoFurther>
-  std::vector<float> compute(const GoFurther& go_further) const
+  // Infinite cells get 1, cells without `is_wanted(c)` 0. Ends early, with values missing, if go_further() is false; both
+  // are called concurrently.
+  template <typename ConcurrencyTag, typename GoFurther, typename IsWanted>
+  std::vector<float> compute(const GoFurther& go_further, const IsWanted& is_wanted) const
   {
     std::vector<float> values(m_cells.size());
     for_each_block<ConcurrencyTag>(m_cells.size(), CELLS_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c != end && (c != begin || go_further()); ++c)
-        values[c] = Cell_complex::is_infinite(m_cells[c]) ? 1.f : float(value(m_cells[c]));
+        values[c] = Cell_complex::is_infinite(m_cells[c])   ? 1.f
+                    : is_wanted(static_cast<Cell_index>(c)) ? float(value(m_cells[c]))
+                                                            : 0.f;
     });
     return values;
+  }
+
+  template <typename ConcurrencyTag, typename GoFurther>
+  std::vector<float> compute(const GoFurther& go_further) const
+  {
+    return compute<ConcurrencyTag>(go_further, [](Cell_index) { return true; });
   }
 
   template <typename ConcurrencyTag>

@@ -212,6 +212,8 @@ private:
     const double old_area = surface_area(m_points, old);
     Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
+    if (surface_area(m_points, facets_between_labels(cells, labelling, cancellation_point)) > MAXIMUM_GROWTH * old_area)
+      return Triangles();
     bend_less(cells, labelling, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     Triangles result = facets_between_labels(cells, labelling, cancellation_point);
@@ -223,9 +225,10 @@ private:
                            CancellationPoint& cancellation_point)
   {
     using Side = Surface_sides::Side;
-    const Cell_signs signs(cells, m_points, m_normals);
-    std::vector<float> values = signs.template compute<ConcurrencyTag>([&] { return progress.advance(0.); });
     const Surface_sides sides(cells, std::move(triangles), m_is_in_doubt, cancellation_point);
+    const Cell_signs signs(cells, m_points, m_normals);
+    std::vector<float> values = signs.template compute<ConcurrencyTag>(
+      [&] { return progress.advance(0.); }, [&](Cell_complex::Cell_index c) { return sides[c] == Side::UNKNOWN; });
     for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
       if (sides[c] != Side::UNKNOWN && !Cell_complex::is_infinite(cells[c]))
         values[c] = sides[c] == Side::INSIDE ? -CERTAIN : CERTAIN;
