@@ -39,7 +39,8 @@ done by nearly planar triangles; where the stars conflict, the surface is comple
 Delaunay tetrahedra that are labelled inside and outside. The labels keep the sides of the agreed charts,
 follow the votes of the stars and the angles at which circumscribed spheres meet, and then the linear
 implicit function of the normals of the surface that they make; agreed stars that this surface contradicts
-are withdrawn, once. The remaining loops are closed, islands on which no star agrees are dissolved, and points left over are inserted.
+are withdrawn, once. The remaining loops are closed, islands on which no star agrees are dissolved, flat sheets
+that face each other are joined, and points left over are inserted.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse
