@@ -113,13 +113,10 @@ public:
     return { { cell.vertices[(i + 1) & 3], cell.vertices[(i + 2) & 3], cell.vertices[(i + 3) & 3] } };
   }
 
-  // The vertex of the cell that is not of the facet.
+  // The vertex of the cell that is not of its facet.
   static Point_index apex(const Cell& cell, const std::array<Point_index, 3>& facet)
   {
-    for (std::size_t i = 0; i != 3; ++i)
-      if (cell.vertices[i] != facet[0] && cell.vertices[i] != facet[1] && cell.vertices[i] != facet[2])
-        return cell.vertices[i];
-    return cell.vertices[3];
+    return cell.vertices[0] ^ cell.vertices[1] ^ cell.vertices[2] ^ cell.vertices[3] ^ facet[0] ^ facet[1] ^ facet[2];
   }
 
   // The facet of neighbor i that is facet i of the cell. Small triangulations may have cells that share
