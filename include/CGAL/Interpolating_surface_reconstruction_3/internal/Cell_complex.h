@@ -57,7 +57,7 @@ public:
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
     if (triangulation.is_usable())
-      copy_cells(triangulation.delaunay(), cancellation_point);
+      sort_cells(cells_of(triangulation.delaunay(), cancellation_point), cancellation_point);
   }
 
   // `points` are distinct.
@@ -69,10 +69,14 @@ public:
     // What stays is allocated before the triangulation, so that the system gets the memory of that back.
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
-    Site_triangulation triangulation(positions);
-    triangulation.insert(m_points, cancellation_point);
-    if (triangulation.is_usable())
-      copy_cells(triangulation.delaunay(), cancellation_point);
+    std::vector<Cell> unsorted;
+    {
+      Site_triangulation triangulation(positions);
+      triangulation.insert(m_points, cancellation_point);
+      if (triangulation.is_usable())
+        unsorted = cells_of(triangulation.delaunay(), cancellation_point);
+    }
+    sort_cells(std::move(unsorted), cancellation_point);
   }
 
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
@@ -113,13 +117,10 @@ public:
     return { { cell.vertices[(i + 1) & 3], cell.vertices[(i + 2) & 3], cell.vertices[(i + 3) & 3] } };
   }
 
-  // The vertex of the cell that is not of the facet.
+  // The vertex of the cell that is not of its facet.
   static Point_index apex(const Cell& cell, const std::array<Point_index, 3>& facet)
   {
-    for (std::size_t i = 0; i != 3; ++i)
-      if (cell.vertices[i] != facet[0] && cell.vertices[i] != facet[1] && cell.vertices[i] != facet[2])
-        return cell.vertices[i];
-    return cell.vertices[3];
+    return cell.vertices[0] ^ cell.vertices[1] ^ cell.vertices[2] ^ cell.vertices[3] ^ facet[0] ^ facet[1] ^ facet[2];
   }
 
   // The facet of neighbor i that is facet i of the cell. Small triangulations may have cells that share
@@ -136,10 +137,12 @@ public:
 
 private:
   using Delaunay = Site_triangulation::Delaunay;
-  using Vertices = std::array<Point_index, 4>;
 
   // A table is worth its memory if at least one of so many indices is that of a point.
   static constexpr std::size_t MAXIMUM_INDICES_PER_POINT = 32;
+
+  // More cells are not sorted by insertion.
+  static constexpr std::size_t CELLS_TO_INSERT = 32;
 
   void tabulate_positions()
   {
@@ -150,86 +153,116 @@ private:
       m_positions[m_points[k] - m_points.front()] = static_cast<Point_index>(k);
   }
 
-  using Cell_handle = Delaunay::Cell_handle;
-
-  // The cells are in the lexicographic order of their increasing vertices. They are put where those with
-  // the same smallest vertex are, which are few, then sorted, and get their neighbors last, in an order in
-  // which these are near in memory. The info of each cell of the triangulation becomes its place.
+  // The cells in the order in which they are in memory, which is nearly that of their places. The info of each
+  // cell of the triangulation becomes its number.
   template <typename Cancellation_point>
-  void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
+  static std::vector<Cell> cells_of(const Delaunay& delaunay, Cancellation_point& cancellation_point)
+  {
+    std::vector<Cell> cells;
+    cells.reserve(delaunay.tds().number_of_cells());
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
+      cancellation_point();
+      cell->info() = static_cast<Cell_index>(cells.size());
+      cells.emplace_back();
+      for (std::size_t i = 0; i != 4; ++i)
+        cells.back().vertices[i] = cell->vertex(static_cast<int>(i))->info();
+    }
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
+      cancellation_point();
+      for (std::size_t i = 0; i != 4; ++i)
+        cells[cell->info()].neighbors[i] = cell->neighbor(static_cast<int>(i))->info();
+    }
+    return cells;
+  }
+
+  // The cells get into the lexicographic order of their increasing vertices. They are put where those with
+  // the same smallest vertex are, which are few, then sorted.
+  template <typename Cancellation_point>
+  void sort_cells(std::vector<Cell> unsorted, Cancellation_point& cancellation_point)
   {
     std::vector<Cell_index> end(m_points.size() + 1, 0); // of the cells of each smallest vertex, so far
-    for (Cell_handle cell : delaunay.all_cell_handles()) {
+    for (Cell& cell : unsorted) {
       cancellation_point();
-      ++end[position(smallest_vertex(cell)) + 1];
+      sort_vertices(cell);
+      ++end[position(cell.vertices[0]) + 1];
     }
     for (std::size_t k = 0; k != m_points.size(); ++k)
       end[k + 1] += end[k];
-    m_cells.resize(end.back());
-    std::vector<Cell_handle> handles(m_cells.size());
-    for (Cell_handle cell : delaunay.all_cell_handles()) {
+    m_cells.resize(unsorted.size());
+    std::vector<Cell_index> numbers(unsorted.size()), places(unsorted.size());
+    for (Cell_index c = 0; c != unsorted.size(); ++c) {
       cancellation_point();
-      const Cell_index c = end[position(smallest_vertex(cell))]++;
-      handles[c] = cell;
-      m_cells[c].vertices = increasing_vertices(cell);
+      const Cell_index place = end[position(unsorted[c].vertices[0])]++;
+      m_cells[place] = unsorted[c];
+      numbers[place] = c;
     }
-    std::vector<std::pair<Vertices, Cell_handle> > entries;
+    std::vector<Cell>().swap(unsorted);
     for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = end[k], ++k) {
       cancellation_point();
-      sort_cells(begin, end[k], handles, entries);
+      sort_cells(begin, end[k], numbers);
     }
-    for (std::size_t c = 0; c != m_cells.size(); ++c)
-      handles[c]->info() = static_cast<Cell_index>(c);
-    for (std::size_t c = 0; c != m_cells.size(); ++c) {
+    for (Cell_index c = 0; c != m_cells.size(); ++c)
+      places[numbers[c]] = c;
+    for (Cell& cell : m_cells) {
       cancellation_point();
-      set_neighbors(m_cells[c], handles[c]);
+      for (Cell_index& n : cell.neighbors)
+        n = places[n];
     }
   }
 
-  static Point_index smallest_vertex(Cell_handle cell)
+  // Makes the vertices increasing, but for the last two, which are exchanged where that keeps the orientation.
+  static void sort_vertices(Cell& cell)
   {
-    return (std::min)((std::min)(cell->vertex(0)->info(), cell->vertex(1)->info()),
-                      (std::min)(cell->vertex(2)->info(), cell->vertex(3)->info()));
-  }
-
-  static Vertices increasing_vertices(Cell_handle cell)
-  {
-    Vertices v;
-    for (std::size_t i = 0; i != 4; ++i)
-      v[i] = cell->vertex(static_cast<int>(i))->info();
-    std::sort(v.begin(), v.end());
-    return v;
-  }
-
-  // `entries` is a buffer.
-  void sort_cells(std::size_t begin, std::size_t end, std::vector<Cell_handle>& handles,
-                  std::vector<std::pair<Vertices, Cell_handle> >& entries)
-  {
-    entries.clear();
-    for (std::size_t c = begin; c != end; ++c)
-      entries.emplace_back(m_cells[c].vertices, handles[c]);
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t c = begin; c != end; ++c)
-      std::tie(m_cells[c].vertices, handles[c]) = entries[c - begin];
-  }
-
-  // Exchanges the last two of the increasing vertices where that keeps the orientation.
-  static void set_neighbors(Cell& copy, Cell_handle cell)
-  {
-    std::array<int, 4> order; // which vertices of the cell those of the copy are
-    for (int i = 0; i != 4; ++i)
-      order[std::size_t(std::find(copy.vertices.begin(), copy.vertices.end(), cell->vertex(i)->info()) -
-                        copy.vertices.begin())] = i;
     bool is_odd = false;
-    for (std::size_t i = 0; i != 4; ++i)
-      for (std::size_t j = i + 1; j != 4; ++j)
-        is_odd ^= order[i] > order[j];
+    const auto sort_two = [&](std::size_t i, std::size_t j) {
+      if (cell.vertices[i] > cell.vertices[j]) {
+        std::swap(cell.vertices[i], cell.vertices[j]);
+        std::swap(cell.neighbors[i], cell.neighbors[j]);
+        is_odd = !is_odd;
+      }
+    };
+    sort_two(0, 1);
+    sort_two(2, 3);
+    sort_two(0, 2);
+    sort_two(1, 3);
+    sort_two(1, 2);
     if (is_odd) {
-      std::swap(copy.vertices[2], copy.vertices[3]);
-      std::swap(order[2], order[3]);
+      std::swap(cell.vertices[2], cell.vertices[3]);
+      std::swap(cell.neighbors[2], cell.neighbors[3]);
     }
-    for (std::size_t i = 0; i != 4; ++i)
-      copy.neighbors[i] = cell->neighbor(order[i])->info();
+  }
+
+  // Of cells with the same smallest vertex.
+  static bool is_before(const Cell& a, const Cell& b)
+  {
+    const auto last = [](const Cell& c) { return std::minmax(c.vertices[2], c.vertices[3]); };
+    return a.vertices[1] != b.vertices[1] ? a.vertices[1] < b.vertices[1] : last(a) < last(b);
+  }
+
+  // `numbers` are those of the cells.
+  void sort_cells(std::size_t begin, std::size_t end, std::vector<Cell_index>& numbers)
+  {
+    if (end - begin > CELLS_TO_INSERT) {
+      std::vector<std::pair<Cell, Cell_index> > entries;
+      for (std::size_t c = begin; c != end; ++c)
+        entries.emplace_back(m_cells[c], numbers[c]);
+      std::sort(entries.begin(), entries.end(),
+                [](const auto& a, const auto& b) { return is_before(a.first, b.first); });
+      for (std::size_t c = begin; c != end; ++c)
+        std::tie(m_cells[c], numbers[c]) = entries[c - begin];
+      return;
+    }
+    for (std::size_t c = begin; c != end; ++c) {
+      const Cell cell = m_cells[c];
+      const Cell_index number = numbers[c];
+      std::size_t place = c;
+      for (; place != begin && is_before(cell, m_cells[place - 1]); --place) {
+        m_cells[place] = m_cells[place - 1];
+        numbers[place] = numbers[place - 1];
+      }
+      m_cells[place] = cell;
+      numbers[place] = number;
+    }
   }
 
   std::vector<Point_index> m_points;    // increasing

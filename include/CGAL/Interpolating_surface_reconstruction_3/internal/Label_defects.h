@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -37,10 +38,7 @@ protected:
 
   static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
 
-  // A point of a surface has some thirty. Trying the cells one by one takes the square of their number.
-  static constexpr std::size_t MAXIMUM_CELLS = 256;
-
-  // A vertex with more cells, one of them, and how often they were changed.
+  // A vertex with very many cells, one of them, and how often they were changed.
   struct Hub
   {
     std::size_t vertex;
@@ -48,23 +46,42 @@ protected:
     unsigned char changes;
   };
 
+  // Lists that keep their memory when they are cleared.
+  class Cell_lists
+  {
+  public:
+    void clear() { m_size = 0; }
+
+    std::vector<Cell_index>& add()
+    {
+      if (m_size == m_lists.size())
+        m_lists.emplace_back();
+      m_lists[m_size].clear();
+      return m_lists[m_size++];
+    }
+
+    std::size_t size() const { return m_size; }
+    std::vector<Cell_index>& operator[](std::size_t k) { return m_lists[k]; }
+
+  private:
+    std::vector<std::vector<Cell_index> > m_lists;
+    std::size_t m_size = 0;
+  };
+
   template <typename IsInScope, typename Cancellation_point>
   Label_defects(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope,
                 Cancellation_point& cancellation_point)
     : m_cells(cells), m_labelling(labelling), m_cell_of(cells.points().size(), NO_CELL),
-      m_defects(cells.points().size(), 0), m_components(cells, labelling)
+      m_defects(cells.points().size(), 0), m_stars(cells, labelling)
   {
-    std::vector<std::uint32_t> cells_at(m_cell_of.size(), 0);
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
       for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && is_in_scope(p)) {
+        if (p != NO_POINT && is_in_scope(p))
           m_cell_of[position_of(p)] = c;
-          ++cells_at[position_of(p)];
-        }
     }
     for (std::size_t v = 0; v != m_cell_of.size(); ++v)
-      if (cells_at[v] > MAXIMUM_CELLS) {
+      if (m_cell_of[v] != NO_CELL && m_stars.is_hub(v)) {
         m_hubs.push_back(Hub{ v, m_cell_of[v], 0 });
         m_cell_of[v] = NO_CELL;
       }
@@ -72,7 +89,7 @@ protected:
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
-  std::size_t find_components(std::size_t v) { return m_components.find(m_cells.points()[v], m_cell_of[v]); }
+  std::size_t find_components(std::size_t v) { return m_stars.find_components(v, m_cell_of[v]); }
 
   // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
   int count_defects(std::size_t v)
@@ -81,19 +98,34 @@ protected:
     return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
   }
 
-  // The cells to change together that may lessen the defects at vertex v: a component around it, or one of its cells.
-  std::vector<std::vector<Cell_index> > moves_at(std::size_t v)
+  // The cells of each component around vertex v.
+  std::vector<std::vector<Cell_index> > components_at(std::size_t v)
   {
-    std::vector<std::vector<Cell_index> > moves = m_components.sorted(find_components(v));
-    const bool is_off_surface = moves.size() == 1;
-    std::vector<std::size_t> size_of_component(moves.size(), 0);
-    for (const auto& c : m_components.cells())
-      ++size_of_component[c.component];
-    for (const auto& c : m_components.cells())
-      if (size_of_component[c.component] > 1 && (is_off_surface || m_components.is_between(c)))
-        moves.push_back({ c.cell });
-    return moves;
+    std::vector<std::vector<Cell_index> > components(find_components(v));
+    for (std::size_t k = 0; k != m_stars.size(); ++k)
+      components[m_stars.component(k)].push_back(m_stars.cell(k));
+    return components;
   }
+
+  // Sets m_moves to the cells to change together that may lessen the defects at vertex v: first each component around it,
+  // then single cells. Returns the number of components.
+  std::size_t find_moves(std::size_t v)
+  {
+    const std::size_t components = find_components(v);
+    m_moves.clear();
+    for (std::size_t i = 0; i != components; ++i)
+      m_moves.add();
+    for (std::size_t k = 0; k != m_stars.size(); ++k)
+      m_moves[m_stars.component(k)].push_back(m_stars.cell(k));
+    for (std::size_t k = 0; k != m_stars.size(); ++k)
+      if (m_moves[m_stars.component(k)].size() > 1 && (components == 1 || m_stars.is_between(k)))
+        m_moves.add().push_back(m_stars.cell(k));
+    return components;
+  }
+
+  // By how many defects there are more at a vertex if one of the single cells found there changes. It joins two of the
+  // components, and has one neighbor in its own: that stays in one piece. Or it becomes the second one.
+  int change_by_one_cell(std::size_t components) const { return components == 1 && !m_counts_points_left_out ? 0 : -1; }
 
   void flip(const std::vector<Cell_index>& cells)
   {
@@ -153,7 +185,8 @@ protected:
   std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
   std::vector<Hub> m_hubs;
   std::vector<int> m_defects; // of each point, 0 out of the scope
-  Label_components<Labelling> m_components;
+  Label_stars<Labelling> m_stars;
+  Cell_lists m_moves;                 // those found last
   std::vector<std::size_t> m_touched; // by the cells that were looked at last
 };
 

@@ -14,35 +14,24 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-// gcc cannot tell that the iterators in these headers are set before they are read.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-// Before the graph, whose header declares a get() that hides the one this needs.
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Two labels for some nodes, with the least sum of what nodes pay for their labels and pairs of nodes for
-// different ones. Graphs may have millions of nodes: arcs lie in flat arrays.
+// Two labels for some nodes, each in at most four pairs as a cell is, with the least sum of what nodes pay for their
+// labels and pairs for different ones. Flow is pushed along paths between two trees that grow from nodes that want to
+// be inside and outside, and are mended where paths are saturated (Boykov and Kolmogorov, An experimental comparison of
+// min-cut/max-flow algorithms for energy minimization in vision, 2004). Graphs may have millions of nodes: all of a
+// node lies together.
 class Minimum_cut
 {
 public:
@@ -58,11 +47,13 @@ public:
 
   // `inside_costs` has what each node pays for label inside more than for outside.
   Minimum_cut(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
-    : m_inside(static_cast<Node>(inside_costs.size())), m_outside(m_inside + 1)
+    : m_nodes(inside_costs.size())
   {
     find_unit(inside_costs, pairs);
-    connect(inside_costs, pairs);
-    set_capacities(inside_costs, pairs);
+    for (std::size_t v = 0; v != m_nodes.size(); ++v)
+      m_nodes[v].terminal = scaled(-double(inside_costs[v]));
+    for (const Pair_cost& p : pairs)
+      connect(p);
   }
 
   // Of each node, 1 inside: as few are inside as can be. `cancellation_point()` is called again and again
@@ -70,39 +61,66 @@ public:
   template <typename Cancellation_point>
   std::vector<unsigned char> operator()(Cancellation_point& cancellation_point)
   {
-    const std::size_t size = num_vertices(m_graph);
-    std::vector<Arc> predecessors(size);
-    std::vector<boost::default_color_type> colors(size);
-    std::vector<std::uint32_t> distances(size);
-    // The search asks for the index of every node that it comes to.
-    const auto index = boost::make_function_property_map<Node>([&cancellation_point](Node v) {
-      cancellation_point();
-      return v;
-    });
-    const auto plain_index = get(boost::vertex_index, m_graph);
-    const auto capacities = boost::make_iterator_property_map(m_capacities.begin(), get(boost::edge_index, m_graph));
-    const auto reverse = boost::make_function_property_map<Arc>(
-      [this](const Arc& arc) { return Arc(target(arc, m_graph), m_reverse[arc.idx]); });
-    boost::boykov_kolmogorov_max_flow(
-      m_graph, capacities, capacities, reverse, boost::make_iterator_property_map(predecessors.begin(), plain_index),
-      boost::make_iterator_property_map(colors.begin(), plain_index),
-      boost::make_iterator_property_map(distances.begin(), plain_index), index, m_inside, m_outside);
-    std::vector<unsigned char> is_inside(m_inside);
-    for (Node k = 0; k != m_inside; ++k)
-      is_inside[k] = colors[k] == colors[m_inside] ? 1 : 0;
+    plant_trees();
+    for (std::vector<Node> active; !m_active.empty();) {
+      active.swap(m_active);
+      for (Node v : active) {
+        cancellation_point();
+        m_nodes[v].is_active = false;
+        Arc bridge;
+        while (m_nodes[v].tree != FREE && grow(v, bridge)) {
+          push_flow(bridge);
+          mend(cancellation_point);
+        }
+      }
+      active.clear();
+    }
+    std::vector<unsigned char> is_inside(m_nodes.size());
+    for (std::size_t v = 0; v != m_nodes.size(); ++v)
+      is_inside[v] = m_nodes[v].tree == INSIDE ? 1 : 0;
     return is_inside;
   }
 
 private:
-  using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                   boost::no_property, Node, std::uint32_t>;
-  using Arc = boost::graph_traits<Graph>::edge_descriptor;
-
   // Rounded residuals would add up to flows that no arc can carry.
   using Capacity = std::int64_t;
 
   // All capacities together are less than two to this power: no flow overflows.
   static constexpr int CAPACITY_BITS = 62;
+
+  enum Tree : unsigned char
+  {
+    FREE,
+    INSIDE,
+    OUTSIDE
+  };
+
+  // What a node of a tree has in place of the number of an arc to its parent.
+  static constexpr unsigned char ROOT = 4, ORPHAN = 5;
+
+  static constexpr std::size_t NO_ARC = 4;
+
+  static constexpr std::uint32_t FAR = static_cast<std::uint32_t>(-1);
+
+  struct Node_state
+  {
+    std::array<Capacity, 4> capacities{ { 0, 0, 0, 0 } }; // left, to the neighbors
+    Capacity terminal = 0;                                // left: from the source if positive, else to the sink
+    std::array<Node, 4> neighbors{ { 0, 0, 0, 0 } };
+    std::array<unsigned char, 4> reverses{ { 0, 0, 0, 0 } }; // which neighbors of its neighbors it is
+    std::uint32_t distance = 0;                              // from the root, as far as known at the time
+    std::uint32_t time = 0;
+    unsigned char degree = 0;
+    Tree tree = FREE;
+    unsigned char parent = ORPHAN;
+    bool is_active = false;
+  };
+
+  struct Arc
+  {
+    Node node;
+    std::size_t i;
+  };
 
   // A power of two, so that the scale of the costs does not matter.
   void find_unit(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
@@ -112,71 +130,215 @@ private:
       total += std::abs(double(cost));
     for (const Pair_cost& p : pairs)
       total += std::abs(double(p.cost));
-    std::frexp(total, &m_exponent);
+    int exponent;
+    std::frexp(total, &exponent);
+    m_unit = std::ldexp(1., CAPACITY_BITS - exponent);
   }
 
-  Capacity scaled(double cost) const
+  Capacity scaled(double cost) const { return static_cast<Capacity>(cost * m_unit); }
+
+  void connect(const Pair_cost& p)
   {
-    return static_cast<Capacity>(std::ldexp((std::max)(cost, 0.), CAPACITY_BITS - m_exponent));
+    Node_state &a = m_nodes[p.inside], &b = m_nodes[p.outside];
+    const unsigned char i = a.degree++, j = b.degree++;
+    a.capacities[i] = scaled((std::max)(double(p.cost), 0.));
+    a.neighbors[i] = p.outside;
+    a.reverses[i] = j;
+    b.neighbors[j] = p.inside;
+    b.reverses[j] = i;
   }
 
-  // Calls visit(arc, reverse, from, to, capacity, reverse capacity) for each arc and its reverse. Arcs are in
-  // the order of their sources; `next` has the first one of each.
-  template <typename Visit>
-  void for_each_arc(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs,
-                    std::vector<std::uint32_t> next, const Visit& visit) const
+  // Paths over one node are flow from the beginning: a node has one terminal.
+  void plant_trees()
   {
-    const auto add = [&](Node from, Node to, Capacity capacity, Capacity reverse_capacity) {
-      const std::uint32_t arc = next[from]++, reverse = next[to]++;
-      visit(arc, reverse, from, to, capacity, reverse_capacity);
-    };
-    for (Node k = 0; k != m_inside; ++k)
-      if (inside_costs[k] < 0.f)
-        add(m_inside, k, scaled(-inside_costs[k]), 0);
+    for (Node v = 0; v != m_nodes.size(); ++v)
+      if (m_nodes[v].terminal != 0) {
+        m_nodes[v].tree = m_nodes[v].terminal > 0 ? INSIDE : OUTSIDE;
+        m_nodes[v].parent = ROOT;
+        m_nodes[v].distance = 1;
+        activate(v);
+      }
+  }
+
+  void activate(Node v)
+  {
+    if (m_nodes[v].is_active)
+      return;
+    m_nodes[v].is_active = true;
+    m_active.push_back(v);
+  }
+
+  // What is left of the arc between a node of a tree and its child, in the direction of the flow.
+  Capacity& capacity(Tree tree, const Arc& to_child)
+  {
+    Node_state& state = m_nodes[to_child.node];
+    return tree == INSIDE ? state.capacities[to_child.i]
+                          : m_nodes[state.neighbors[to_child.i]].capacities[state.reverses[to_child.i]];
+  }
+
+  Node parent(Node v) const { return m_nodes[v].neighbors[m_nodes[v].parent]; }
+
+  // Adds the free neighbors of v to its tree; stops at an arc from the inside tree to the outside one that
+  // can carry flow, and returns true.
+  bool grow(Node v, Arc& bridge)
+  {
+    const Node_state& state = m_nodes[v];
+    for (std::size_t i = 0; i != state.degree; ++i) {
+      if (capacity(state.tree, Arc{ v, i }) == 0)
+        continue;
+      const Node n = state.neighbors[i];
+      Node_state& neighbor = m_nodes[n];
+      if (neighbor.tree == FREE) {
+        neighbor.tree = state.tree;
+        set_parent(n, state.reverses[i], state);
+        activate(n);
+      } else if (neighbor.tree != state.tree) {
+        bridge = state.tree == INSIDE ? Arc{ v, i } : Arc{ n, state.reverses[i] };
+        return true;
+      } else if (neighbor.time <= state.time && neighbor.distance > state.distance) {
+        set_parent(n, state.reverses[i], state); // shorter paths are followed sooner
+      }
+    }
+    return false;
+  }
+
+  void set_parent(Node child, unsigned char i, const Node_state& parent)
+  {
+    m_nodes[child].parent = i;
+    m_nodes[child].time = parent.time;
+    m_nodes[child].distance = parent.distance + 1;
+  }
+
+  void push_flow(const Arc& bridge)
+  {
+    Node_state& inside = m_nodes[bridge.node];
+    const Node end = inside.neighbors[bridge.i];
+    Capacity flow = inside.capacities[bridge.i];
+    flow = (std::min)(flow, capacity_to_root(bridge.node));
+    flow = (std::min)(flow, capacity_to_root(end));
+    inside.capacities[bridge.i] -= flow;
+    m_nodes[end].capacities[inside.reverses[bridge.i]] += flow;
+    push_to_root(bridge.node, flow);
+    push_to_root(end, flow);
+  }
+
+  Arc arc_from_parent(Node v) const
+  {
+    const Node_state& state = m_nodes[v];
+    return Arc{ state.neighbors[state.parent], state.reverses[state.parent] };
+  }
+
+  Capacity capacity_to_root(Node v)
+  {
+    Capacity result = (std::numeric_limits<Capacity>::max)();
+    for (; m_nodes[v].parent != ROOT; v = parent(v))
+      result = (std::min)(result, capacity(m_nodes[v].tree, arc_from_parent(v)));
+    return (std::min)(result, std::abs(m_nodes[v].terminal));
+  }
+
+  // Nodes behind a saturated arc become orphans.
+  void push_to_root(Node v, Capacity flow)
+  {
+    while (m_nodes[v].parent != ROOT) {
+      Node_state& state = m_nodes[v];
+      const Arc arc = arc_from_parent(v);
+      Capacity &down = m_nodes[arc.node].capacities[arc.i], &up = state.capacities[state.parent];
+      (state.tree == INSIDE ? down : up) -= flow;
+      (state.tree == INSIDE ? up : down) += flow;
+      if ((state.tree == INSIDE ? down : up) == 0)
+        orphan(v);
+      v = arc.node;
+    }
+    m_nodes[v].terminal -= m_nodes[v].tree == INSIDE ? flow : -flow;
+    if (m_nodes[v].terminal == 0)
+      orphan(v);
+  }
+
+  void orphan(Node v)
+  {
+    m_nodes[v].parent = ORPHAN;
+    m_orphans.push_back(v);
+  }
+
+  // Finds new parents for all orphans, or sets them free.
+  template <typename Cancellation_point>
+  void mend(Cancellation_point& cancellation_point)
+  {
+    ++m_time;
+    for (std::size_t k = 0; k != m_orphans.size(); ++k) {
+      cancellation_point();
+      const Node v = m_orphans[k];
+      const std::size_t i = find_parent(v);
+      if (i == NO_ARC)
+        set_free(v);
       else
-        add(k, m_outside, scaled(inside_costs[k]), 0);
-    for (const Pair_cost& p : pairs)
-      add(p.inside, p.outside, scaled(p.cost), 0);
+        set_parent(v, static_cast<unsigned char>(i), m_nodes[m_nodes[v].neighbors[i]]);
+    }
+    m_orphans.clear();
   }
 
-  void connect(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
+  // The arc to the neighbor nearest to a root.
+  std::size_t find_parent(Node v)
   {
-    m_first.assign(std::size_t(m_outside) + 2, 0);
-    for_each_arc(inside_costs, pairs, std::vector<std::uint32_t>(m_first.size(), 0),
-                 [this](std::uint32_t, std::uint32_t, Node from, Node to, Capacity, Capacity) {
-                   ++m_first[from + 1];
-                   ++m_first[to + 1];
-                 });
-    for (std::size_t v = 1; v != m_first.size(); ++v)
-      m_first[v] += m_first[v - 1];
-    std::vector<std::pair<Node, Node> > arcs(m_first.back());
-    for_each_arc(inside_costs, pairs, m_first,
-                 [&](std::uint32_t arc, std::uint32_t reverse, Node from, Node to, Capacity, Capacity) {
-                   arcs[arc] = { from, to };
-                   arcs[reverse] = { to, from };
-                 });
-    m_graph = Graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), m_outside + 1);
+    const Node_state& state = m_nodes[v];
+    std::size_t best = NO_ARC;
+    std::uint32_t best_distance = FAR;
+    for (std::size_t i = 0; i != state.degree; ++i) {
+      const Node n = state.neighbors[i];
+      if (m_nodes[n].tree != state.tree || capacity(state.tree, Arc{ n, state.reverses[i] }) == 0)
+        continue;
+      const std::uint32_t distance = distance_to_root(n);
+      if (distance < best_distance) {
+        best = i;
+        best_distance = distance;
+      }
+    }
+    return best;
   }
 
-  void set_capacities(const std::vector<float>& inside_costs, const std::vector<Pair_cost>& pairs)
+  // FAR if an orphan is on the way. Nodes on the way to a root remember their distance at this time.
+  std::uint32_t distance_to_root(Node first)
   {
-    m_capacities.resize(m_first.back());
-    m_reverse.resize(m_first.back());
-    for_each_arc(inside_costs, pairs, std::move(m_first),
-                 [this](std::uint32_t arc, std::uint32_t reverse, Node, Node, Capacity c, Capacity reverse_c) {
-                   m_capacities[arc] = c;
-                   m_capacities[reverse] = reverse_c;
-                   m_reverse[arc] = reverse;
-                   m_reverse[reverse] = arc;
-                 });
+    std::uint32_t steps = 0;
+    Node last = first;
+    for (; m_nodes[last].time != m_time && m_nodes[last].parent != ROOT; last = parent(last), ++steps)
+      if (m_nodes[last].parent == ORPHAN)
+        return FAR;
+    if (m_nodes[last].parent == ROOT) {
+      m_nodes[last].time = m_time;
+      m_nodes[last].distance = 1;
+    }
+    const std::uint32_t result = m_nodes[last].distance + steps;
+    std::uint32_t distance = result;
+    for (Node v = first; v != last; v = parent(v)) {
+      m_nodes[v].time = m_time;
+      m_nodes[v].distance = distance--;
+    }
+    return result;
   }
 
-  const Node m_inside, m_outside; // the labels as nodes, after the others
-  int m_exponent = 0;
-  std::vector<std::uint32_t> m_first; // arc of each node, while the graph is made
-  Graph m_graph;
-  std::vector<Capacity> m_capacities; // those left, while the flow is being searched
-  std::vector<std::uint32_t> m_reverse;
+  // Its children become orphans; neighbors in the tree may take it back when they grow.
+  void set_free(Node v)
+  {
+    Node_state& state = m_nodes[v];
+    for (std::size_t i = 0; i != state.degree; ++i) {
+      const Node n = state.neighbors[i];
+      if (m_nodes[n].tree != state.tree)
+        continue;
+      if (capacity(state.tree, Arc{ n, state.reverses[i] }) != 0)
+        activate(n);
+      if (m_nodes[n].parent == state.reverses[i])
+        orphan(n);
+    }
+    state.tree = FREE;
+    state.parent = ORPHAN;
+  }
+
+  double m_unit = 1.; // of capacities
+  std::vector<Node_state> m_nodes;
+  std::vector<Node> m_active; // those that are still to grow
+  std::vector<Node> m_orphans;
+  std::uint32_t m_time = 0;
 };
 
 } // namespace internal

@@ -61,10 +61,18 @@ public:
   Facet_energy facet_energy(Cell_index c, std::size_t i) const
   {
     const auto f = Cell_complex::facet(m_cells[c], i);
-    const Local_vector area_vector = (i % 2 == 0 ? .5 : -.5) * normal_of(f);
-    const double area = std::sqrt(area_vector.squared_length());
-    const double along = area_vector * (m_normals[f[0]] + m_normals[f[1]] + m_normals[f[2]]) / 3;
-    return Facet_energy{ AREA_SHARE * area - along, AREA_SHARE * area + along, area };
+    return facet_energy(i, m_positions[f[0]], m_positions[f[1]], m_positions[f[2]],
+                        m_normals[f[0]] + m_normals[f[1]] + m_normals[f[2]]);
+  }
+
+  // Of a finite cell, whose vertices are read once.
+  std::array<Facet_energy, 4> facet_energies(Cell_index c) const
+  {
+    const auto& v = m_cells[c].vertices;
+    const Local_point p0 = m_positions[v[0]], p1 = m_positions[v[1]], p2 = m_positions[v[2]], p3 = m_positions[v[3]];
+    const Local_vector n0 = m_normals[v[0]], n1 = m_normals[v[1]], n2 = m_normals[v[2]], n3 = m_normals[v[3]];
+    return { { facet_energy(0, p1, p2, p3, n1 + n2 + n3), facet_energy(1, p2, p3, p0, n2 + n3 + n0),
+               facet_energy(2, p3, p0, p1, n3 + n0 + n1), facet_energy(3, p0, p1, p2, n0 + n1 + n2) } };
   }
 
   // Of the facets of a finite cell.
@@ -85,8 +93,9 @@ public:
     if (Cell_complex::is_infinite(m_cells[c]))
       return -std::numeric_limits<double>::infinity();
     double result = 0., total_area = 0.;
+    const std::array<Facet_energy, 4> energies = facet_energies(c);
     for (std::size_t i = 0; i != 4; ++i) {
-      const Facet_energy energy = facet_energy(c, i);
+      const Facet_energy& energy = energies[i];
       if (is_surface(c, i))
         result += label(c) ? energy.if_inside : energy.if_outside;
       else
@@ -124,6 +133,16 @@ private:
   static constexpr double ROUNDING = 1e-9;
 
   bool wants_inside(Cell_index c) const { return m_values[c] < 0.f; }
+
+  // Of facet i with vertices p, q and r; `normals` is the sum of theirs.
+  static Facet_energy facet_energy(std::size_t i, const Local_point& p, const Local_point& q, const Local_point& r,
+                                   const Local_vector& normals)
+  {
+    const Local_vector area_vector = (i % 2 == 0 ? .5 : -.5) * cross_product(q - p, r - p);
+    const double area = std::sqrt(area_vector.squared_length());
+    const double along = area_vector * normals / 3;
+    return Facet_energy{ AREA_SHARE * area - along, AREA_SHARE * area + along, area };
+  }
 
   Local_vector normal_of(const std::array<Point_index, 3>& f) const
   {

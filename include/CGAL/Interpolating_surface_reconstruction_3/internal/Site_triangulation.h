@@ -55,17 +55,22 @@ public:
   template <typename Cancellation_point>
   void insert(const std::vector<Point_index>& sites, Cancellation_point& cancellation_point)
   {
-    // Every second point of the ones left out so far joins in a round, the first round has few.
+    // Three of four points of the ones left out so far join in a round, the first round has few.
     std::size_t stride = 1;
     while (sites.size() / stride > POINTS_OF_FIRST_ROUND)
-      stride *= 2;
-    for (bool is_first = true; stride != 0 && !m_has_too_many_cells; stride /= 2, is_first = false) {
+      stride *= STRIDE_RATIO;
+    const std::size_t old_vertices = m_delaunay.number_of_vertices();
+    for (bool is_first = true; stride != 0 && !m_has_too_many_cells; stride /= STRIDE_RATIO, is_first = false) {
+      const std::size_t size = (sites.size() + stride - 1) / stride,
+                        maximum_cells = MAXIMUM_CELLS_PER_POINT * (old_vertices + size);
       Delaunay::Vertex_handle hint;
-      for (std::size_t i = is_first ? 0 : stride; i < sites.size(); i += is_first ? stride : 2 * stride) {
+      for (std::size_t k = 0; k != size && !m_has_too_many_cells; ++k) {
+        if (!is_first && k % STRIDE_RATIO == 0)
+          continue;
         cancellation_point(MICROSECONDS_PER_INSERTION);
-        hint = insert(sites[i], hint);
+        hint = insert(sites[k * stride], hint);
+        m_has_too_many_cells = m_delaunay.number_of_cells() > maximum_cells;
       }
-      m_has_too_many_cells = m_delaunay.number_of_cells() > MAXIMUM_CELLS_PER_POINT * m_delaunay.number_of_vertices();
     }
   }
 
@@ -88,6 +93,9 @@ public:
 private:
   // A random sample has 7 cells a point.
   static constexpr std::size_t MAXIMUM_CELLS_PER_POINT = 50, POINTS_OF_FIRST_ROUND = 500;
+
+  // More rounds pass over the whole triangulation more often, fewer have more cells that do not last.
+  static constexpr std::size_t STRIDE_RATIO = 4;
 
   // A few, but hundreds where many points are cospherical.
   static constexpr std::size_t MICROSECONDS_PER_INSERTION = 64;

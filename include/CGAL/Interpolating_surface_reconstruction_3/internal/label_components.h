@@ -47,7 +47,6 @@ public:
   // Finds the components around the point, of which `first` is a cell; returns their number.
   std::size_t find(Point_index p, Cell_index first)
   {
-    m_point = p;
     std::uint32_t components = 0;
     ++m_stamp;
     m_star_cells.clear();
@@ -91,31 +90,9 @@ public:
     return result;
   }
 
-  // The cells of the components sorted last.
-  const std::vector<Star_cell>& cells() const { return m_star_cells; }
-
-  // Whether a change of the cell joins components; else, as long as its own does not vanish, it
-  // lessens no defects there.
-  bool is_between(const Star_cell& c) const
-  {
-    std::uint32_t first = c.component;
-    for (std::size_t i = 0; i != 4; ++i) {
-      if (m_cells[c.cell].vertices[i] == m_point)
-        continue;
-      const Star_cell neighbor{ m_cells[c.cell].neighbors[i], 0 };
-      const std::uint32_t other = std::lower_bound(m_star_cells.begin(), m_star_cells.end(), neighbor)->component;
-      if (first == c.component)
-        first = other;
-      else if (other != c.component && other != first)
-        return true;
-    }
-    return false;
-  }
-
 private:
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
-  Point_index m_point = NO_POINT;    // of the last search
   std::vector<std::uint32_t> m_mark; // of each cell: the last search that reached it
   std::uint32_t m_stamp = 0;
   std::vector<Star_cell> m_star_cells; // of the last search

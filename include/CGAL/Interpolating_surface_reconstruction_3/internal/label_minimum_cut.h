@@ -20,7 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -132,8 +132,9 @@ private:
     for (std::uint32_t k = 0; k != m_region.size(); ++k) {
       const Cell_index c = m_region[k];
       double total_area = 0., inside_cost = 0.;
+      const std::array<Oriented_labelling::Facet_energy, 4> energies = m_labelling.facet_energies(c);
       for (std::size_t i = 0; i != 4; ++i) {
-        const Oriented_labelling::Facet_energy energy = m_labelling.facet_energy(c, i);
+        const Oriented_labelling::Facet_energy& energy = energies[i];
         const Cell_index n = m_cells[c].neighbors[i];
         total_area += energy.area;
         if (m_node_of[n] >= IN) {

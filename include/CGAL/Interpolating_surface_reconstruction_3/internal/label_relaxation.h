@@ -48,7 +48,7 @@ std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, La
   std::priority_queue<Label_change> queue;
   const auto push = [&](Cell_index c) {
     const double gain = labelling.gain(c);
-    if (gain > labelling.smallest_gain(c))
+    if (gain > 0. && gain > labelling.smallest_gain(c))
       queue.push(Label_change{ gain, c });
   };
   for (Cell_index c = 0; c != cells.size(); ++c) {

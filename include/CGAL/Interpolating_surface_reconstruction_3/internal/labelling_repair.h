@@ -17,6 +17,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_defects.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_fans.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -37,21 +39,23 @@ template <typename Labelling>
 class Labelling_repair : private Label_defects<Labelling>
 {
   using Base = Label_defects<Labelling>;
+  using Base::change_by_one_cell;
+  using Base::components_at;
   using Base::count_defects;
   using Base::find_components;
+  using Base::find_moves;
   using Base::find_touched;
   using Base::flip;
   using Base::gain;
   using Base::is_at_surface;
   using Base::m_cell_of;
   using Base::m_cells;
-  using Base::m_components;
   using Base::m_counts_points_left_out;
   using Base::m_defects;
   using Base::m_hubs;
   using Base::m_labelling;
+  using Base::m_moves;
   using Base::m_touched;
-  using Base::moves_at;
   using Base::NO_CELL;
   using Base::update_defects;
   using typename Base::Hub;
@@ -83,9 +87,10 @@ public:
   std::size_t operator()(Cancellation_point&& cancellation_point)
   {
     std::vector<std::size_t> todo;
+    const Surface_fans fans(m_cells, m_labelling, cancellation_point);
     for (std::size_t v = m_cell_of.size(); v-- != 0;) {
       cancellation_point();
-      m_defects[v] = m_cell_of[v] == NO_CELL ? 0 : count_defects(v);
+      m_defects[v] = m_cell_of[v] == NO_CELL || fans.is_closed(v) ? 0 : count_defects(v);
       if (m_defects[v] != 0)
         todo.push_back(v);
     }
@@ -219,14 +224,26 @@ private:
   // moves change all cells of a component around v, or one of its cells.
   bool improve(std::size_t v)
   {
-    m_best = Move{ {}, 0, 0. };
-    for (const std::vector<Cell_index>& cells : moves_at(v))
-      try_move(v, cells);
+    m_best.cells.clear();
+    const std::size_t components = find_moves(v);
+    for (std::size_t k = 0; k != m_moves.size(); ++k)
+      try_move(v, m_moves[k], k < components ? change_at(v, m_moves[k]) : change_by_one_cell(components));
     if (m_best.cells.empty())
       return false;
     flip(m_best.cells);
-    update_defects(m_best.cells);
+    m_touched = m_best_touched;
+    for (std::size_t k = 0; k != m_touched.size(); ++k)
+      m_defects[m_touched[k]] = m_best_defects[k];
     return true;
+  }
+
+  // By how many defects there are more at v if the cells change.
+  int change_at(std::size_t v, const std::vector<Cell_index>& cells)
+  {
+    flip(cells);
+    const int change = count_defects(v) - m_defects[v];
+    flip(cells);
+    return change;
   }
 
   // Makes a move at v and goes on with the best moves at what it breaks, without changing a cell twice, until there are
@@ -265,7 +282,9 @@ private:
   std::vector<Move> new_moves_at(std::size_t v, const std::vector<Cell_index>& changed)
   {
     std::vector<Move> result;
-    for (std::vector<Cell_index>& cells : moves_at(v)) {
+    find_moves(v);
+    for (std::size_t k = 0; k != m_moves.size(); ++k) {
+      std::vector<Cell_index>& cells = m_moves[k];
       const bool is_new = std::none_of(cells.begin(), cells.end(), [&](Cell_index c) {
         return Cell_complex::is_infinite(m_cells[c]) || std::find(changed.begin(), changed.end(), c) != changed.end();
       });
@@ -286,28 +305,32 @@ private:
     return result;
   }
 
-  // Remembers the move if it lessens the defects at v and in all, and is better than the best so far.
-  void try_move(std::size_t v, const std::vector<Cell_index>& cells)
+  // Remembers the move if it lessens the defects at v and in all, and is better than the best so far. Those at v become
+  // by `change_at_v` more.
+  void try_move(std::size_t v, const std::vector<Cell_index>& cells, int change_at_v)
   {
-    if (m_keeps_components && !is_at_surface(cells))
+    if (change_at_v >= 0 || (m_keeps_components && !is_at_surface(cells)))
       return;
     const double g = gain(cells);
     if (!(g > -m_maximum_loss))
       return;
-    flip(cells);
-    const int change_at_v = count_defects(v) - m_defects[v];
     // Not worse than the best so far.
     const int maximum_change = m_best.cells.empty() ? -1 : g > m_best.gain ? m_best.defects : m_best.defects - 1;
-    if (change_at_v < 0) {
-      find_touched(cells);
-      const std::optional<int> change = change_of_defects(v, change_at_v, maximum_change);
-      if (change)
-        m_best = Move{ cells, *change, g };
-    }
+    find_touched(cells);
     flip(cells);
+    const std::optional<int> change = change_of_defects(v, change_at_v, maximum_change);
+    flip(cells);
+    if (!change)
+      return;
+    m_best.cells = cells;
+    m_best.defects = *change;
+    m_best.gain = g;
+    m_best_touched = m_touched;
+    m_best_defects = m_new_defects;
   }
 
-  // By how many defects there are more at the touched vertices, if not more than `maximum`.
+  // By how many defects there are more at the touched vertices, if not more than `maximum`; m_new_defects then has those
+  // at each of them.
   std::optional<int> change_of_defects(std::size_t v, int change_at_v, int maximum)
   {
     // What the vertices may still lessen.
@@ -315,13 +338,15 @@ private:
     for (std::size_t w : m_touched)
       reserve += m_defects[w];
     int change = change_at_v;
+    m_new_defects.clear();
     for (std::size_t w : m_touched) {
       if (change - reserve > maximum)
         return std::nullopt;
+      m_new_defects.push_back(w == v ? m_defects[v] + change_at_v : count_defects(w));
       if (w == v)
         continue;
       reserve -= m_defects[w];
-      change += count_defects(w) - m_defects[w];
+      change += m_new_defects.back() - m_defects[w];
     }
     return change <= maximum ? std::optional<int>(change) : std::nullopt;
   }
@@ -333,7 +358,7 @@ private:
   {
     const bool is_filling = changes == FREE_CHANGES;
     std::vector<Move> moves;
-    for (std::vector<Cell_index>& cells : m_components.sorted(find_components(v))) {
+    for (std::vector<Cell_index>& cells : components_at(v)) {
       const bool label = m_labelling.label(cells.front());
       cells.erase(
         std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
@@ -354,11 +379,14 @@ private:
   bool enforce_at_hubs(std::vector<std::size_t>& todo)
   {
     bool is_changed = false;
+    if (m_hubs.empty())
+      return is_changed;
+    Label_components<Labelling> components_at_hub(m_cells, m_labelling);
     for (Hub& hub : m_hubs) {
-      const std::size_t number = m_components.find(m_cells.points()[hub.vertex], hub.cell);
+      const std::size_t number = components_at_hub.find(m_cells.points()[hub.vertex], hub.cell);
       if (number <= 2)
         continue;
-      const std::vector<std::vector<Cell_index> > components = m_components.sorted(number);
+      const std::vector<std::vector<Cell_index> > components = components_at_hub.sorted(number);
       const std::vector<Cell_index> cells = beside_largest(components, hub.changes == FREE_CHANGES);
       if (hub.changes != FREE_CHANGES)
         ++hub.changes;
@@ -395,6 +423,8 @@ private:
   double m_maximum_loss;
   bool m_keeps_components;
   Move m_best;
+  std::vector<std::size_t> m_best_touched;        // by the best move
+  std::vector<int> m_best_defects, m_new_defects; // at touched vertices, after the best move and the last one
 };
 
 } // namespace internal
