@@ -208,12 +208,23 @@ int euler_characteristic(const Sample& s)
   return static_cast<int>(points.size() + facets.size()) - static_cast<int>(edges.size());
 }
 
+// An edge with as many cells around it as there are points on a circle.
+Points spindle(std::size_t n)
+{
+  Points result{ Point(0, 0, .1), Point(0, 0, -.1) };
+  for (std::size_t i = 0; i != n; ++i)
+    result.push_back(on_circle(2. * PI * double(i) / double(n), 1., 0.));
+  return result;
+}
+
 // What a change is said to cost is what the energy, computed anew, grows by.
 void test_cost_of_change()
 {
-  for (std::uint64_t seed = 1; seed != 5; ++seed) {
+  const std::vector<Points> samples = { sphere_random(40, 1).points, random_cube(40, 2), sphere_random(40, 3).points,
+                                        random_cube(40, 4), spindle(100) };
+  for (std::uint64_t seed = 1; seed <= samples.size(); ++seed) {
     begin_case("cost of changes, seed " + std::to_string(seed));
-    Sample s(seed % 2 == 0 ? random_cube(40, seed) : sphere_random(40, seed).points);
+    Sample s(samples[seed - 1]);
     s.fill();
     const std::vector<double> costs = costs_of_defects(s);
     Bending_energy<Labels> bending(

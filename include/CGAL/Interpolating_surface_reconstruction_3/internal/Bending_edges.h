@@ -60,7 +60,7 @@ public:
     return energy(edge, facets(edge, place.position)) - edge.energy;
   }
 
-  bool is_on_surface(Cell_index c, std::size_t e) { return m_edges[find(c, e).edge].energy != 0.; }
+  bool is_on_surface(Cell_index c, std::size_t e) { return m_edges[find(c, e).edge].facets != 0; }
 
   // The angle by which the surface bends at the edge: 0 where it is flat, a half turn where it is no surface.
   double bending(Cell_index c, std::size_t e)
@@ -77,7 +77,7 @@ public:
         Edge& edge = m_edges[place.edge];
         if (edge.size <= BITS)
           edge.labels ^= std::uint64_t(1) << place.position;
-        edge.energy = energy(edge, facets(edge, NO_POSITION));
+        update(edge);
       }
   }
 
@@ -103,7 +103,8 @@ private:
     double energy;        // now
     std::uint64_t labels; // of the cells around the edge, in order, if they are not more than the bits
     std::uint32_t first;  // of the cells around the edge in m_cells_around
-    std::uint32_t size;
+    std::uint16_t size;
+    std::uint16_t facets; // on the surface, now
   };
 
   // Tells directions around an edge from each other, as angles.
@@ -162,6 +163,13 @@ private:
     return result;
   }
 
+  void update(Edge& edge) const
+  {
+    const Facets now = facets(edge, NO_POSITION);
+    edge.energy = energy(edge, now);
+    edge.facets = static_cast<std::uint16_t>(now.number);
+  }
+
   static void add(double direction, Facets& facets)
   {
     if (facets.number < facets.directions.size())
@@ -209,8 +217,8 @@ private:
       apex ^= p ^ q ^ v[0] ^ v[1] ^ v[2] ^ v[3]; // the fourth vertex
     } while (current != c);
     m_edges.push_back(
-      Edge{ frame.length(), 0., labels, first, static_cast<std::uint32_t>(m_directions.size() - first) });
-    m_edges.back().energy = energy(m_edges.back(), facets(m_edges.back(), NO_POSITION));
+      Edge{ frame.length(), 0., labels, first, static_cast<std::uint16_t>(m_directions.size() - first), 0 });
+    update(m_edges.back());
   }
 
   // Of the edge between two vertices of a cell.
