@@ -20,6 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -98,7 +99,7 @@ private:
     return result;
   }
 
-  // The connected cells get numbers as nodes.
+  // The connected cells get numbers as nodes, in the order in which they and their vertices are in memory.
   void collect_region(Cell_index first)
   {
     m_region.assign(1, first);
@@ -106,9 +107,12 @@ private:
     for (std::size_t k = 0; k != m_region.size(); ++k)
       for (Cell_index n : m_cells[m_region[k]].neighbors)
         if (m_node_of[n] == IN) {
-          m_node_of[n] = static_cast<std::uint32_t>(m_region.size());
+          m_node_of[n] = 0;
           m_region.push_back(n);
         }
+    std::sort(m_region.begin(), m_region.end());
+    for (std::size_t k = 0; k != m_region.size(); ++k)
+      m_node_of[m_region[k]] = static_cast<std::uint32_t>(k);
   }
 
   // The cells of the region that the cut labels otherwise, by connected parts.
