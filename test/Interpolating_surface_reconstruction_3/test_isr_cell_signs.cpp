@@ -13,8 +13,11 @@
 
 #include "isr_test_lis.h"
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Minimum_cut.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Regular_diagonals.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_fans.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_minimum_cut.h>
@@ -22,6 +25,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelling_repair.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -225,6 +230,85 @@ void test_untangling()
   ISR_CHECK(std::count(is_used.begin(), is_used.end(), 0) < 20);
 }
 
+// Stars count the components that a search over the cells finds, and fans are closed where there are two.
+void test_stars_and_fans()
+{
+  begin_case("stars of cells and fans of facets");
+  for (double part_inside : { .1, .5, .9, 1.01 }) {
+    const Cells s(random_samples(500, 5));
+    in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
+    Random random(6);
+    std::vector<Cell_index> cell_of(s.positions.size());
+    for (Cell_index c = 0; c != s.cells.size(); ++c) {
+      if (labelling.label(c) != (random.uniform(0., 1.) < part_inside))
+        labelling.flip(c);
+      for (in::Point_index p : s.cells[c].vertices)
+        if (p != in::NO_POINT)
+          cell_of[p] = c;
+    }
+    in::Label_components<in::Oriented_labelling> components(s.cells, labelling);
+    in::Label_stars<in::Oriented_labelling> stars(s.cells, labelling);
+    const in::No_cancellation no_cancellation;
+    const in::Surface_fans fans(s.cells, labelling, no_cancellation);
+    for (in::Point_index p = 0; p != s.positions.size(); ++p) {
+      const std::size_t number = components.find(p, cell_of[p]);
+      ISR_CHECK_EQUAL(stars.find_components(p, cell_of[p]), number);
+      ISR_CHECK(fans.is_closed(p) == (number == 2));
+      std::vector<std::vector<Cell_index> > found(number);
+      for (std::size_t k = 0; k != stars.size(); ++k)
+        found[stars.component(k)].push_back(stars.cell(k));
+      ISR_CHECK(found == components.sorted(number));
+    }
+  }
+}
+
+// Of a labelling of nodes by the bits of a number.
+float cost_of(unsigned labels, const std::vector<float>& inside_costs,
+              const std::vector<in::Minimum_cut::Pair_cost>& pairs)
+{
+  const auto is_inside = [labels](std::size_t v) { return (labels >> v & 1u) != 0; };
+  float result = 0.f;
+  for (std::size_t v = 0; v != inside_costs.size(); ++v)
+    result += is_inside(v) ? inside_costs[v] : 0.f;
+  for (const auto& p : pairs)
+    result += is_inside(p.inside) && !is_inside(p.outside) ? p.cost : 0.f;
+  return result;
+}
+
+// All labellings of small graphs are tried. Costs are small integers, so that several often have the least sum.
+void test_least_cut()
+{
+  begin_case("least of all cuts");
+  constexpr std::size_t NODES = 9, MAXIMUM_DEGREE = 4;
+  Random random(7);
+  for (int graph = 0; graph != 500; ++graph) {
+    std::vector<float> inside_costs;
+    for (std::size_t v = 0; v != NODES; ++v)
+      inside_costs.push_back(float(random.below(13)) - 6.f);
+    std::vector<in::Minimum_cut::Pair_cost> pairs;
+    std::array<std::size_t, NODES> degree{};
+    for (int k = 0; k != 40; ++k) {
+      const auto v = std::uint32_t(random.below(NODES)), w = std::uint32_t(random.below(NODES));
+      if (v == w || degree[v] == MAXIMUM_DEGREE || degree[w] == MAXIMUM_DEGREE)
+        continue;
+      ++degree[v];
+      ++degree[w];
+      pairs.push_back(in::Minimum_cut::Pair_cost{ v, w, float(random.below(6)) });
+    }
+    // Of the labellings with the least sum, the one whose inside is part of all others'.
+    unsigned least = 0;
+    for (unsigned labels = 1; labels != 1u << NODES; ++labels) {
+      const float difference = cost_of(labels, inside_costs, pairs) - cost_of(least, inside_costs, pairs);
+      least = difference < 0.f ? labels : difference > 0.f ? least : least & labels;
+    }
+    const std::vector<unsigned char> is_inside = in::Minimum_cut(inside_costs, pairs)(in::No_cancellation());
+    unsigned found = 0;
+    for (std::size_t v = 0; v != NODES; ++v)
+      found |= is_inside[v] != 0 ? 1u << v : 0u;
+    ISR_CHECK_EQUAL(found, least);
+  }
+}
+
 // A wall of wrong labels in the gap between two boxes is removed by the cut.
 void test_minimum_cut()
 {
@@ -347,6 +431,8 @@ int main()
   test_signs();
   test_gain();
   test_untangling();
+  test_stars_and_fans();
+  test_least_cut();
   test_minimum_cut();
   test_regular_diagonals();
   return result();

@@ -59,7 +59,7 @@ public:
   // Of each node, 1 inside: as few are inside as can be. `cancellation_point()` is called again and again
   // and may throw.
   template <typename Cancellation_point>
-  std::vector<unsigned char> operator()(Cancellation_point& cancellation_point)
+  std::vector<unsigned char> operator()(Cancellation_point&& cancellation_point)
   {
     plant_trees();
     for (std::vector<Node> active; !m_active.empty();) {
