@@ -212,8 +212,6 @@ private:
     const double old_area = surface_area(m_points, old);
     Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
-    if (surface_area(m_points, facets_between_labels(cells, labelling, cancellation_point)) > MAXIMUM_GROWTH * old_area)
-      return Triangles();
     bend_less(cells, labelling, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     Triangles result = facets_between_labels(cells, labelling, cancellation_point);
