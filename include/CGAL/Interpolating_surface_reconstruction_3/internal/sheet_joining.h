@@ -55,7 +55,7 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     try {
       collect_sheets(outlines, cancellation_point);
-      if (m_sheets.size() < 2 || !find_normals(cancellation_point))
+      if (m_sheets.size() < 2 || m_sheets.size() > MAXIMUM_SHEETS || !find_normals(cancellation_point))
         return false;
       return join(progress, cancellation_point);
     } catch (const Cancelled&) {
@@ -68,6 +68,9 @@ private:
 
   // That of a cube with two opposite faces sampled. Sheets farther apart than they are wide are two parts.
   static constexpr double MAXIMUM_GROWTH = 3.;
+
+  // All points are looked at from each.
+  static constexpr std::size_t MAXIMUM_SHEETS = 256;
 
   struct Sheet
   {

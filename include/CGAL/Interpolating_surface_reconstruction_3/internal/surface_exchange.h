@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Exchanges all triangles at the points, which other points have no triangles with, for the added ones. Returns the
-// triangles removed, or none and leaves the surface as it was if the gate of the builder refuses an added one.
+// Exchanges the triangles of the points, which are whole components, for the added ones. Returns the triangles removed;
+// none, with the surface as it was, if the gate of the builder refuses an added one.
 // `cancellation_point()` is called again and again and may throw, before anything changes.
 template <typename Builder, typename CancellationPoint>
 std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, const std::vector<Point_index>& points,
