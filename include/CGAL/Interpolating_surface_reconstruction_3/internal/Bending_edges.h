@@ -52,7 +52,7 @@ public:
   { }
 
   // By how much the energy of edge e of the finite cell grows if the cell changes its label. No end of the edge has more
-  // than 255 cells.
+  // than 256 cells, so that positions around it take one byte.
   double cost_of_change(Cell_index c, std::size_t e)
   {
     const Place place = find(c, e);
