@@ -348,6 +348,21 @@ void test_refinement()
     }
 }
 
+// A tube around the z-axis with radius 1, whose normals at the ends have a share that points along it.
+Oriented_points tube(int sides, int rings, double height, double share_at_ends)
+{
+  Oriented_points result;
+  for (int i = 0; i != rings; ++i)
+    for (int j = 0; j != sides; ++j) {
+      const double u = 2. * 3.14159265358979323846 * (j + (i % 2 == 0 ? 0. : .5)) / sides,
+                   along = i == 0           ? -share_at_ends
+                           : i + 1 == rings ? share_at_ends
+                                            : 0.;
+      result.emplace_back(Point(std::cos(u), std::sin(u), height * i), Vector(std::cos(u), std::sin(u), along));
+    }
+  return result;
+}
+
 void test_boundaries()
 {
   // a sphere without its top
@@ -362,29 +377,24 @@ void test_boundaries()
   ISR_CHECK(validation::is_oriented_manifold(open.points, open.triangles, Kernel()));
   ISR_CHECK_EQUAL(validation::number_of_boundary_loops(open.triangles), 1u);
   ISR_CHECK_EQUAL(validation::euler_characteristic(open.triangles), 1);
+  const auto keep = params::combine(params::keep_boundaries(true), oriented_maps());
   begin_case("the ends of a tube are kept");
-  constexpr int SIDES = 40, RINGS = 30;
-  Oriented_points tube;
-  for (int i = 0; i != RINGS; ++i)
-    for (int j = 0; j != SIDES; ++j) {
-      const double u = 2. * 3.14159265358979323846 * (j + (i % 2 == 0 ? 0. : .5)) / SIDES;
-      tube.emplace_back(Point(std::cos(u), std::sin(u), .14 * i), Vector(std::cos(u), std::sin(u), 0));
-    }
-  const Soup ends = lis(tube, params::combine(params::keep_boundaries(true), oriented_maps()));
+  const Soup ends = lis(tube(40, 30, .14, 0.), keep);
   ISR_CHECK(validation::is_oriented_manifold(ends.points, ends.triangles, Kernel()));
   ISR_CHECK_EQUAL(validation::number_of_boundary_loops(ends.triangles), 2u);
-  ISR_CHECK_EQUAL(validation::boundary_edges(ends.triangles).size(), std::size_t(2 * SIDES));
+  ISR_CHECK_EQUAL(validation::boundary_edges(ends.triangles).size(), 80u);
+
+  begin_case("openings of ten edges are kept");
+  const Soup narrow = lis(tube(10, 12, .6, 0.), keep);
+  ISR_CHECK(validation::is_oriented_manifold(narrow.points, narrow.triangles, Kernel()));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(narrow.triangles), 2u);
+  ISR_CHECK_EQUAL(validation::boundary_edges(narrow.triangles).size(), 20u);
 
   begin_case("flat ends that have a share in the normals stay closed");
-  for (Oriented_point& s : tube) {
-    if (s.first.z() < .1)
-      s.second = s.second + Vector(0, 0, -3);
-    else if (s.first.z() > .14 * (RINGS - 1) - .1)
-      s.second = s.second + Vector(0, 0, 3);
-  }
-  ISR_CHECK(
-    validation::boundary_edges(lis(tube, params::combine(params::keep_boundaries(true), oriented_maps())).triangles)
-      .empty());
+  ISR_CHECK(validation::boundary_edges(lis(tube(40, 30, .14, 3.), keep).triangles).empty());
+
+  begin_case("ends stay closed if the normals are as near to those with lids as to those without");
+  ISR_CHECK(validation::boundary_edges(lis(tube(40, 30, .14, .36), keep).triangles).empty());
 
   begin_case("a closed surface stays closed");
   for (const Solid& s : { solid(sphere_random(1500, 5), from_origin), box_solid(box_varying_spacing(20)) })

@@ -30,10 +30,9 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Removes the triangles of a closed surface that span openings of the sampled surface. A region of triangles
-// that share edges longer than the spacing of their samples is an opening if the normals of its samples are
-// explained at least as well by the triangles around it alone: the normal of a sample at an opening is that of
-// the surface beside it, while a long triangle of a sparsely sampled part has a share in the normals of its
-// samples.
+// that share edges longer than the spacing of their samples is an opening if the triangles around it alone explain
+// the normals of its samples much better: the normal of a sample at an opening is that of the surface beside it,
+// while a long triangle of a sparsely sampled part has a share in the normals of its samples.
 class Boundary_opening
 {
 public:
@@ -66,9 +65,15 @@ public:
   }
 
 private:
-  // An opening has an edge that is far longer than the spacing. Its other edges are longer than those of a
-  // grid, whose diagonals are the square root of 2 times the spacing.
-  static constexpr double SEED_RATIO = 4., LONG_RATIO = 1.5;
+  // An opening has an edge that is far longer than the spacing: an octagon measures 2.6 of its edges. Its other edges
+  // are longer than those of a grid, whose diagonals are the square root of 2 times the spacing.
+  static constexpr double SEED_RATIO = 2.5, LONG_RATIO = 1.5;
+
+  // In triangles, those of an octagon: smaller openings cannot be told from a few long triangles.
+  static constexpr std::size_t MINIMUM_SIZE = 6;
+
+  // The deviation of the normals without a region that contradicts them, over that with it.
+  static constexpr double CONTRADICTION = .5;
 
   // The deviation of a normal from that of no triangle: a sample is not to lose all of its triangles.
   static constexpr double LARGEST_DEVIATION = 2.;
@@ -182,13 +187,13 @@ private:
 
   void open_region(const std::vector<std::size_t>& region)
   {
-    if (explains_no_normals(region, BY_ANGLE) && explains_no_normals(region, BY_AREA))
+    if (region.size() >= MINIMUM_SIZE && contradicts_normals(region, BY_ANGLE) && contradicts_normals(region, BY_AREA))
       for (std::size_t t : region)
         m_is_removed[t] = 1;
   }
 
-  // Whether the other triangles explain the normals of its samples at least as well alone.
-  bool explains_no_normals(const std::vector<std::size_t>& region, Weighting weighting) const
+  // Whether the other triangles alone explain the normals of its samples much better, and those of most.
+  bool contradicts_normals(const std::vector<std::size_t>& region, Weighting weighting) const
   {
     std::vector<std::pair<Point_index, Local_vector> > parts;
     for (std::size_t t : region)
@@ -196,17 +201,21 @@ private:
         parts.emplace_back(m_triangles[t][i], normal_at(t, i, weighting));
     std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     double with_region = 0., without_region = 0.;
+    std::size_t samples = 0, better = 0;
     for (auto it = parts.begin(); it != parts.end();) {
       const Point_index p = it->first;
       const Local_vector& sum = m_sums[weighting][p];
       Local_vector rest = sum;
       for (; it != parts.end() && it->first == p; ++it)
         rest = rest - it->second;
-      with_region += deviation(p, sum);
-      without_region += deviation(p, rest, sum);
+      const double with = deviation(p, sum), without = deviation(p, rest, sum);
+      with_region += with;
+      without_region += without;
+      ++samples;
+      better += without <= with + ROUNDING ? 1u : 0u;
     }
     // in a plane both are zero but for rounding
-    return without_region <= with_region + ROUNDING * double(parts.size());
+    return 2 * better >= samples && without_region <= CONTRADICTION * with_region + ROUNDING * double(samples);
   }
 
   // One minus the cosine of the angle between the normal of a sample and one made of triangles.
