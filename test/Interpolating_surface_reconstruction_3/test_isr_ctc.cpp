@@ -13,6 +13,7 @@
 
 #include "isr_test_ctc.h"
 
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Regularity_star_3.h>
 
 using namespace isr_test;
@@ -79,6 +80,26 @@ void test_plane_grid_is_exact()
   ISR_CHECK_EQUAL(validation::boundary_edges(triples).size(), 4 * n);
 }
 
+// Also where the points are cocircular, and cospherical.
+void test_grid_has_diagonals_of_delaunay_triangulation()
+{
+  begin_case("grid, diagonals of the Delaunay triangulation");
+  using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+  const Sample s = box(9, 7, 5);
+  Triangulation triangulation;
+  std::vector<Triangulation::Vertex_handle> vertices;
+  for (const Point& p : s.points)
+    vertices.push_back(triangulation.insert(p));
+  std::size_t facets = 0;
+  const Triples triples = ctc(s.points);
+  for (const Triple& t : triples) {
+    Triangulation::Cell_handle cell;
+    int i = 0, j = 0, k = 0;
+    facets += triangulation.is_facet(vertices[t[0]], vertices[t[1]], vertices[t[2]], cell, i, j, k) ? 1u : 0u;
+  }
+  ISR_CHECK_EQUAL(facets, triples.size());
+}
+
 // The ends of the cylinder have 40 edges each.
 void test_maximum_hole_size()
 {
@@ -135,6 +156,7 @@ int main()
   test_surfaces_with_boundaries();
   test_close_plates();
   test_plane_grid_is_exact();
+  test_grid_has_diagonals_of_delaunay_triangulation();
   test_maximum_hole_size();
   test_orientation_follows_normals();
   test_neighbor_radius();

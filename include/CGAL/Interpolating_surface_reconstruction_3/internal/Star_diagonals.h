@@ -70,6 +70,9 @@ private:
   // distance. The choice hardly matters between .2 and .6: farther points do not win.
   static constexpr double NEAR = .4;
 
+  // Of circles, as a part.
+  static constexpr double ROUNDING = 1e-9;
+
   void find_near_misses(double squared_radius)
   {
     for (std::size_t i = 0; i != m_polygon.size(); ++i)
@@ -145,22 +148,23 @@ private:
   double y(std::uint32_t i) const { return m_projection.y(i); }
   double half_square(std::uint32_t i) const { return m_projection.half_square(i); }
 
+  // Of the diagonals from the point to r and from q to s.
   bool is_own_diagonal_better(std::uint32_t q_index, std::uint32_t r_index, std::uint32_t s_index) const
   {
-    const Vector_3 p(0, 0, 0), q = stretched(q_index), r = stretched(r_index), s = stretched(s_index);
-    return (std::max)(squared_circumdiameter(p, q, r), squared_circumdiameter(p, r, s)) <
-           (std::max)(squared_circumdiameter(p, q, s), squared_circumdiameter(q, r, s));
+    const Vector_3 p(0, 0, 0);
+    const Vector_3 &q = m_neighborhood[q_index], &r = m_neighborhood[r_index], &s = m_neighborhood[s_index];
+    const double own = (std::max)(squared_circumdiameter(p, q, r), squared_circumdiameter(p, r, s)),
+                 other = (std::max)(squared_circumdiameter(p, q, s), squared_circumdiameter(q, r, s));
+    const bool is_tie = own >= (1. - ROUNDING) * other && other >= (1. - ROUNDING) * own;
+    return is_tie ? is_less((std::max)(p, r, is_less), (std::max)(q, s, is_less)) : own < other;
   }
 
-  // Space stretched by a little more than the rounding error along a fixed direction in general
-  // position: all stars see the same points, so that cocircular ones, such as those of a grid, get
-  // the same diagonals everywhere.
-  Vector_3 stretched(std::uint32_t i) const
+  // All stars see the same order of the points, so that cocircular ones, such as those of a grid, get the same
+  // diagonals everywhere. The one that spares the last point is that of the symbolic perturbation of
+  // Delaunay_triangulation_3.
+  static bool is_less(const Vector_3& a, const Vector_3& b)
   {
-    constexpr double stretch = 1e-9, gx = .36, gy = -.48, gz = .8;
-    const Vector_3& d = m_neighborhood[i];
-    const double along = stretch * (gx * d.x() + gy * d.y() + gz * d.z());
-    return Vector_3(d.x() + gx * along, d.y() + gy * along, d.z() + gz * along);
+    return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
   }
 
   const Star_neighborhood& m_neighborhood;
