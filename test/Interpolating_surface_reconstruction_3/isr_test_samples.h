@@ -386,6 +386,46 @@ inline Points rotated(Points points, double angle)
   return points;
 }
 
+// The corners of a prism with regular faces.
+inline Sample prism(std::size_t sides, double height)
+{
+  Sample s{ "prism with " + std::to_string(sides) + " sides, height " + std::to_string(height), {}, 2, 1, 0 };
+  for (double z : { 0., height })
+    for (std::size_t i = 0; i != sides; ++i)
+      s.points.push_back(on_circle(2. * CGAL_PI * double(i) / double(sides), 1., z));
+  return s;
+}
+
+inline Sample tetrahedron_random(std::uint64_t seed)
+{
+  return Sample{ "random tetrahedron, seed " + std::to_string(seed), random_cube(4, seed), 2, 1, 0 };
+}
+
+// Convex solids that have points at their corners only, also in general orientation.
+inline std::vector<Sample> solids_of_few_points()
+{
+  std::vector<Sample> result;
+  for (const Point& size : { Point(1, 1, 1), Point(1, 2, 3), Point(1, 1, 5), Point(5, 5, 1) }) {
+    Sample s = box(1, 1, 1);
+    s.name += " with 8 points, height " + std::to_string(size.z()) + ", width " + std::to_string(size.y());
+    for (Point& p : s.points)
+      p = Point(p.x() * size.x(), p.y() * size.y(), p.z() * size.z());
+    result.push_back(s);
+  }
+  for (std::size_t sides = 3; sides != 8; ++sides)
+    for (double height : { .5, 1., 3. })
+      result.push_back(prism(sides, height));
+  for (std::size_t i = 0, n = result.size(); i != n; ++i) {
+    Sample s = result[i];
+    s.name += ", rotated";
+    s.points = rotated(s.points, .7);
+    result.push_back(s);
+  }
+  for (std::uint64_t seed = 1; seed != 21; ++seed)
+    result.push_back(tetrahedron_random(seed));
+  return result;
+}
+
 // order[i] is the old position of the new i-th point.
 inline std::vector<std::size_t> random_order(std::size_t n, std::uint64_t seed)
 {

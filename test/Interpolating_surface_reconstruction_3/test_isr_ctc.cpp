@@ -45,6 +45,12 @@ void test_closed_surfaces()
     test_closed(s);
 }
 
+void test_few_points()
+{
+  for (const Sample& s : solids_of_few_points())
+    test_closed(s);
+}
+
 // A closed surface has no boundary to keep.
 void test_surfaces_with_boundaries()
 {
@@ -153,6 +159,7 @@ void test_star_construction()
 int main()
 {
   test_closed_surfaces();
+  test_few_points();
   test_surfaces_with_boundaries();
   test_close_plates();
   test_plane_grid_is_exact();

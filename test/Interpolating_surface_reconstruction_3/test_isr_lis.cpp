@@ -107,6 +107,14 @@ void test_without_normals()
     check_topology(s, lis(s.sample.points, params::visitor(std::ref(visitor))), visitor.unused);
     ISR_CHECK_EQUAL(visitor.stages_begun, visitor.stages_ended);
   }
+  for (const Sample& s : solids_of_few_points()) {
+    begin_case(s.name + ", without normals");
+    const Soup soup = lis(s.points, params::grid_spacing(0.));
+    ISR_CHECK_EQUAL(soup.triangles.size(), 2 * s.points.size() - 4);
+    ISR_CHECK(validation::is_oriented_manifold(soup.points, soup.triangles, Kernel()));
+    ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+    ISR_CHECK_EQUAL(validation::number_of_components(soup.triangles), 1u);
+  }
   begin_case("point set with and without normals");
   CGAL::Point_set_3<Point> points;
   for (const Point& p : sphere_fibonacci(300).points)

@@ -55,6 +55,8 @@ void test_surfaces()
                             box(12, 7, 3),          box_jittered(12, .3, 1), two_boxes(8, 4.),     cone(20, 2.) };
   for (const Sample& s : closed)
     test_closed(s);
+  for (const Sample& s : solids_of_few_points())
+    test_closed(s);
   const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40) };
   for (const Sample& s : open)
     test_with_boundaries(s);

@@ -133,11 +133,16 @@ private:
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
+    find_chart_triangles(surface);
+    refine(surface);
+    m_progress.end_stage(surface.triangles.size());
+  }
+
+  void find_chart_triangles(Lis_surface& surface)
+  {
     surface.triangles =
       chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
                                       [this](double fraction) { return m_progress.advance(fraction); });
-    refine(surface);
-    m_progress.end_stage(surface.triangles.size());
   }
 
   void turn_normals()
@@ -170,6 +175,8 @@ private:
     Regular_diagonals diagonals(cells, m_cloud.positions(), labelling);
     relax_labels(cells, diagonals, m_cancellation_point);
     surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
+    if (surface.triangles.empty()) // few samples, whose normals agree with none of the facets
+      find_chart_triangles(surface);
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
     refine(surface);

@@ -39,14 +39,15 @@ public:
     : m_points(points), m_builder(builder), m_visits_left(VISITS_PER_POINT * points.size())
   { }
 
+  // The thickness is in mean edges at a point, 1 at most.
   template <typename CancellationPoint>
-  bool is_outline(const Boundary_loop& loop, CancellationPoint& cancellation_point)
+  bool is_outline(const Boundary_loop& loop, double maximum_thickness, CancellationPoint& cancellation_point)
   {
     if (loop.size() < 3 || !find_plane(loop) || !is_surface_inside(loop))
       return false;
     if (m_is_visited.empty())
       m_is_visited.assign(m_points.size(), 0);
-    const bool is_flat = is_component_flat(loop, cancellation_point);
+    const bool is_flat = is_component_flat(loop, maximum_thickness, cancellation_point);
     for (Point_index p : m_component)
       m_is_visited[p] = 0;
     return is_flat;
@@ -81,7 +82,7 @@ private:
   }
 
   template <typename CancellationPoint>
-  bool is_component_flat(const Boundary_loop& loop, CancellationPoint& cancellation_point)
+  bool is_component_flat(const Boundary_loop& loop, double maximum_thickness, CancellationPoint& cancellation_point)
   {
     m_component.clear();
     for (Point_index p : loop)
@@ -103,9 +104,9 @@ private:
             visit(q);
           }
       });
-      const double mean = edges == 0 ? 0. : edge_length / double(edges);
+      const double thickness = edges == 0 ? 0. : maximum_thickness * edge_length / double(edges);
       const double height = m_normal * (m_points[p] - m_origin);
-      if (m_visits_left == 0 || height * height > mean * mean * m_normal.squared_length())
+      if (m_visits_left == 0 || height * height > thickness * thickness * m_normal.squared_length())
         return false;
       --m_visits_left;
     }

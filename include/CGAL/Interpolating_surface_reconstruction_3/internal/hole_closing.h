@@ -74,7 +74,7 @@ public:
     try {
       for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point))
         if (loop.size() <= m_maximum_size && !is_boundary(loop)) {
-          if (do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point))
+          if (do_stars_end_along(loop) && flat_sheet.is_outline(loop, maximum_thickness(loop), cancellation_point))
             result.outlines.push_back(loop);
           else
             points.insert(points.end(), loop.begin(), loop.end());
@@ -97,7 +97,7 @@ public:
     try {
       for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point)) {
         cancellation_point(loop.size());
-        if (loop.size() <= MAXIMUM_PLANAR_SIZE &&
+        if (is_short(loop) &&
             !std::all_of(loop.begin(), loop.end(),
                          [&](Point_index p) { return m_builder.compatibility().is_point_agreed(p); }) &&
             std::none_of(loop.begin(), loop.end(), [&](Point_index p) { return is_next_to_bare_point(p); }))
@@ -110,6 +110,9 @@ public:
 private:
   // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
   static constexpr std::size_t MAXIMUM_PLANAR_SIZE = 8;
+
+  // Of the thickness of a sheet, in its mean edges.
+  static constexpr double ROUNDING = 1e-9;
 
   bool is_next_to_bare_point(Point_index p) const
   {
@@ -152,22 +155,20 @@ private:
     Flat_sheet<Builder> flat_sheet(m_points, m_builder);
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point)) {
       cancellation_point(loop.size());
-      if (loop.size() > m_maximum_size || is_boundary(loop) ||
-          (is_agreed_boundary(loop) && flat_sheet.is_outline(loop, cancellation_point)) ||
-          m_fill(loop, on_verdict, cancellation_point) || is_agreed_boundary(loop))
+      if (loop.size() > m_maximum_size || is_boundary(loop))
         continue;
-      // A short loop may be an outline, too, if it cannot be filled.
-      if (!(do_stars_end_along(loop) && flat_sheet.is_outline(loop, cancellation_point)))
+      const bool is_end = do_stars_end_along(loop);
+      const bool is_outline = is_end && flat_sheet.is_outline(loop, maximum_thickness(loop), cancellation_point);
+      if (!is_outline && !m_fill(loop, on_verdict, cancellation_point) && (is_short(loop) || !is_end))
         failed.push_back(loop);
     }
     return failed;
   }
 
-  // A short loop is a gap.
-  bool is_agreed_boundary(const Boundary_loop& loop) const
-  {
-    return loop.size() > MAXIMUM_PLANAR_SIZE && do_stars_end_along(loop);
-  }
+  bool is_short(const Boundary_loop& loop) const { return loop.size() <= MAXIMUM_PLANAR_SIZE; }
+
+  // That of a sheet whose outline is the loop. A short loop is a gap, unless the sheet is flat up to rounding.
+  double maximum_thickness(const Boundary_loop& loop) const { return is_short(loop) ? ROUNDING : 1.; }
 
   // Whether most stars along the loop agree that the surface ends there.
   bool do_stars_end_along(const Boundary_loop& loop) const

@@ -23,6 +23,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_attachment.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
@@ -80,9 +81,8 @@ public:
   // A star that sees far closes an opening that shall stay.
   std::size_t maximum_neighbors() const
   {
-    constexpr std::size_t NO_LIMIT = (std::numeric_limits<std::size_t>::max)(), NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
-    return m_options.keep_boundaries || m_options.maximum_hole_size != NO_LIMIT ? NEIGHBORS_THIS_SIDE_OF_OPENINGS
-                                                                                : NO_LIMIT;
+    constexpr std::size_t NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
+    return closes_all_loops() ? NO_LIMIT : NEIGHBORS_THIS_SIDE_OF_OPENINGS;
   }
 
   Star_table build_stars(const Point_octree_3& octree, double share)
@@ -133,13 +133,19 @@ public:
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
       report(t, verdict);
     };
-    const bool is_closed = close(is_boundary, m_progress, on_verdict);
+    bool is_closed = close(is_boundary, m_progress, on_verdict);
     Island_removal<Builder> remove_islands(builder);
     remove_islands();
     Sheet_joining<ConcurrencyTag, Builder> join_sheets(m_cloud.positions(), builder);
     join_sheets(close.find_open_loops(is_boundary, m_progress).outlines, m_progress);
+    if (closes_all_loops() && !(m_options.neighbor_radius > 0.))
+      attach_hull_if_empty(m_cloud.positions(), builder, m_progress, on_verdict);
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
+    const std::size_t stored = builder.number_of_stored_triangles();
     std::size_t unused = insert(m_progress);
+    // A sheet into which points were inserted may be flat no more.
+    if (is_closed && builder.number_of_stored_triangles() != stored)
+      is_closed = close(is_boundary, m_progress, on_verdict);
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
@@ -195,6 +201,10 @@ public:
   }
 
 private:
+  static constexpr std::size_t NO_LIMIT = (std::numeric_limits<std::size_t>::max)();
+
+  bool closes_all_loops() const { return !m_options.keep_boundaries && m_options.maximum_hole_size == NO_LIMIT; }
+
   double maximum_radius() const
   {
     return m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius)

@@ -66,18 +66,23 @@ public:
 private:
   using Triangle = std::array<Point_index, 3>;
 
-  // That of a cube with two opposite faces sampled. Sheets farther apart than they are wide are two parts.
+  // That of a cube with two opposite faces sampled. Sheets farther apart than they are wide are two parts, unless they
+  // are nearer than their points.
   static constexpr double MAXIMUM_GROWTH = 3.;
 
   // All points are looked at from each.
   static constexpr std::size_t MAXIMUM_SHEETS = 256;
+
+  // Of areas, and of heights over the mean edge of an outline.
+  static constexpr double ROUNDING = 1e-9;
 
   struct Sheet
   {
     std::vector<Point_index> points;
     Local_point origin;
     Local_vector normal;
-    double thickness; // what the sampling does not tell from a sheet: the mean edge of the outline
+    double mean_edge; // of the outline
+    double thickness; // no point is higher over its plane
   };
 
   template <typename CancellationPoint>
@@ -89,11 +94,13 @@ private:
       if (m_is_visited[outline.front()])
         continue;
       m_sheets.push_back(sheet_in(outline));
-      std::vector<Point_index>& points = m_sheets.back().points;
+      Sheet& sheet = m_sheets.back();
+      std::vector<Point_index>& points = sheet.points;
       m_is_visited[outline.front()] = 1;
       points.push_back(outline.front());
       for (std::size_t i = 0; i != points.size(); ++i) {
         cancellation_point();
+        sheet.thickness = (std::max)(sheet.thickness, std::abs(height(sheet, points[i])));
         m_builder.for_each_triangle_at(points[i], [&](const Triangle& t) {
           for (Point_index p : t)
             if (!m_is_visited[p]) {
@@ -105,7 +112,9 @@ private:
     }
   }
 
-  // Without its points.
+  double height(const Sheet& sheet, Point_index p) const { return sheet.normal * (m_points[p] - sheet.origin); }
+
+  // Without its points, as thick as rounding may make it.
   Sheet sheet_in(const Boundary_loop& outline) const
   {
     const Local_point& origin = m_points[outline.front()];
@@ -116,7 +125,8 @@ private:
       normal = normal + cross_product(p - origin, q - origin);
       length += std::sqrt((q - p).squared_length());
     }
-    return Sheet{ {}, origin, normal / std::sqrt(normal.squared_length()), length / double(outline.size()) };
+    const double mean_edge = length / double(outline.size());
+    return Sheet{ {}, origin, normal / std::sqrt(normal.squared_length()), mean_edge, ROUNDING * mean_edge };
   }
 
   // Turns the normal of each sheet away from all other sheets; false if they are not all on one side.
@@ -124,21 +134,24 @@ private:
   bool find_normals(CancellationPoint& cancellation_point)
   {
     m_normals.assign(m_points.size(), Local_vector(0, 0, 0));
+    m_are_near = true;
     for (Sheet& sheet : m_sheets) {
-      bool is_above = false, is_below = false, is_beside = false;
+      bool is_above = false, is_below = false, is_beside = false, is_near = false;
       for (const Sheet& other : m_sheets) {
         if (&other == &sheet)
           continue;
         for (Point_index p : other.points) {
           cancellation_point();
-          const double height = sheet.normal * (m_points[p] - sheet.origin);
-          is_above = is_above || height > sheet.thickness;
-          is_below = is_below || height < -sheet.thickness;
-          is_beside = is_beside || std::abs(height) <= sheet.thickness;
+          const double h = height(sheet, p);
+          is_above = is_above || h > sheet.thickness;
+          is_below = is_below || h < -sheet.thickness;
+          is_beside = is_beside || std::abs(h) <= sheet.thickness;
+          is_near = is_near || std::abs(h) <= sheet.mean_edge;
         }
       }
       if (is_beside || is_above == is_below)
         return false;
+      m_are_near = m_are_near && is_near;
       for (Point_index p : sheet.points)
         m_normals[p] = is_above ? -sheet.normal : sheet.normal;
     }
@@ -161,10 +174,14 @@ private:
     relax_labels(cells, labelling, cancellation_point);
     make_manifold(cells, labelling, cancellation_point);
     std::vector<Triangle> joined = facets_between_labels(cells, labelling, cancellation_point);
-    if (!has_all(points, joined) ||
-        surface_area(m_points, joined) > MAXIMUM_GROWTH * surface_area(m_points, triangles_at(points)))
+    if (!has_all(points, joined) || !(m_are_near || is_small(joined, triangles_at(points))))
       return false;
     return !exchange_triangles(m_builder, points, std::move(joined), cancellation_point).empty();
+  }
+
+  bool is_small(const std::vector<Triangle>& joined, const std::vector<Triangle>& sheets) const
+  {
+    return surface_area(m_points, joined) <= (1. + ROUNDING) * MAXIMUM_GROWTH * surface_area(m_points, sheets);
   }
 
   std::vector<Triangle> triangles_at(const std::vector<Point_index>& points) const
@@ -191,6 +208,7 @@ private:
   Builder& m_builder;
   std::vector<Sheet> m_sheets;
   std::vector<Local_vector> m_normals;
+  bool m_are_near = false;                 // each to another one, as points of one sheet are
   std::vector<unsigned char> m_is_visited; // of each point
 };
 
