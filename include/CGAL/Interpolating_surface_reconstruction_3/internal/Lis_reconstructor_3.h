@@ -133,16 +133,11 @@ private:
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
-    find_chart_triangles(surface);
-    refine(surface);
-    m_progress.end_stage(surface.triangles.size());
-  }
-
-  void find_chart_triangles(Lis_surface& surface)
-  {
     surface.triangles =
       chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
                                       [this](double fraction) { return m_progress.advance(fraction); });
+    refine(surface);
+    m_progress.end_stage(surface.triangles.size());
   }
 
   void turn_normals()
@@ -175,12 +170,24 @@ private:
     Regular_diagonals diagonals(cells, m_cloud.positions(), labelling);
     relax_labels(cells, diagonals, m_cancellation_point);
     surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
-    if (surface.triangles.empty()) // few samples, whose normals agree with none of the facets
-      find_chart_triangles(surface);
+    if (surface.triangles.empty()) {
+      label_hull(cells, labelling);
+      surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
+    }
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
+  }
+
+  // Of few samples, whose normals agree with none of the facets, there is at least the convex hull.
+  void label_hull(const Cell_complex& cells, Oriented_labelling& labelling)
+  {
+    for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c) {
+      m_cancellation_point();
+      if (!Cell_complex::is_infinite(cells[c]) && !labelling.label(c))
+        labelling.flip(c);
+    }
   }
 
   // Adds vertices on a surface that is smooth between the samples.

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -30,15 +31,17 @@ namespace internal {
 
 // Attaches the convex hull of all points if the surface has no triangle: of a few points, such as the corners of a
 // tetrahedron, no star may be closed, and no two stars may agree. Points inside of the hull are left to the insertion of
-// points. Nothing is attached to points in one plane. Ends early if cancelled.
+// points. Nothing is attached to points in one plane. Returns whether it has attached anything; loops and fans are left to
+// the closing of holes. Ends early if cancelled.
 template <typename Builder, typename Progress, typename OnVerdict>
-void attach_hull_if_empty(const std::vector<Local_point>& points, Builder& builder, Progress& progress,
+bool attach_hull_if_empty(const std::vector<Local_point>& points, Builder& builder, Progress& progress,
                           const OnVerdict& on_verdict)
 {
   const std::vector<Point_index> open_points = builder.open_points();
   const auto is_bare = [&](Point_index p) { return builder.corners(p).empty(); };
   if (open_points.size() != points.size() || !std::all_of(open_points.begin(), open_points.end(), is_bare))
-    return;
+    return false;
+  bool is_changed = false;
   Cancellation_point<Progress> cancellation_point(progress);
   try {
     std::vector<Point_index> all(points.size());
@@ -49,11 +52,14 @@ void attach_hull_if_empty(const std::vector<Local_point>& points, Builder& build
       for (std::size_t i = 0; i != 4; ++i)
         if (cells[c].vertices[i] == NO_POINT) {
           const std::array<Point_index, 3> t = Cell_complex::facet(cells[c], i);
-          on_verdict(t, builder.try_add(t[0], t[1], t[2]));
+          const Triangle_verdict verdict = builder.try_add(t[0], t[1], t[2]);
+          is_changed = is_changed || verdict == Triangle_verdict::ADDED;
+          on_verdict(t, verdict);
         }
     }
   } catch (const Cancelled&) {
   }
+  return is_changed;
 }
 
 } // namespace internal

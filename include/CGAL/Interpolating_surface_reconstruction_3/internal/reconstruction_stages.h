@@ -138,14 +138,17 @@ public:
     remove_islands();
     Sheet_joining<ConcurrencyTag, Builder> join_sheets(m_cloud.positions(), builder);
     join_sheets(close.find_open_loops(is_boundary, m_progress).outlines, m_progress);
-    if (closes_all_loops() && !(m_options.neighbor_radius > 0.))
-      attach_hull_if_empty(m_cloud.positions(), builder, m_progress, on_verdict);
+    if (closes_all_loops() && !(m_options.neighbor_radius > 0.) &&
+        attach_hull_if_empty(m_cloud.positions(), builder, m_progress, on_verdict))
+      is_closed = close(is_boundary, m_progress, on_verdict);
     Point_insertion<Builder> insert(m_cloud.positions(), octree, maximum_radius(), builder);
     const std::size_t stored = builder.number_of_stored_triangles();
     std::size_t unused = insert(m_progress);
-    // A sheet into which points were inserted may be flat no more.
-    if (is_closed && builder.number_of_stored_triangles() != stored)
+    // A sheet into which points were inserted may be flat no more; what closes it may leave points out.
+    if (is_closed && builder.number_of_stored_triangles() != stored) {
       is_closed = close(is_boundary, m_progress, on_verdict);
+      unused = insert(m_progress);
+    }
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
