@@ -362,11 +362,9 @@ Oriented_points tube(int sides, int rings, double height, double share_at_ends)
   Oriented_points result;
   for (int i = 0; i != rings; ++i)
     for (int j = 0; j != sides; ++j) {
-      const double u = 2. * 3.14159265358979323846 * (j + (i % 2 == 0 ? 0. : .5)) / sides,
-                   along = i == 0           ? -share_at_ends
-                           : i + 1 == rings ? share_at_ends
-                                            : 0.;
-      result.emplace_back(Point(std::cos(u), std::sin(u), height * i), Vector(std::cos(u), std::sin(u), along));
+      const double angle = 2. * CGAL_PI * (j + (i % 2 == 0 ? 0. : .5)) / sides;
+      const int end = (i + 1 == rings ? 1 : 0) - (i == 0 ? 1 : 0);
+      result.emplace_back(on_circle(angle, 1., height * i), on_circle(angle, 1., end * share_at_ends) - CGAL::ORIGIN);
     }
   return result;
 }

@@ -25,6 +25,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/side_of_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
@@ -170,24 +171,12 @@ private:
     Regular_diagonals diagonals(cells, m_cloud.positions(), labelling);
     relax_labels(cells, diagonals, m_cancellation_point);
     surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
-    if (surface.triangles.empty()) {
-      label_hull(cells, labelling);
-      surface.triangles = facets_between_labels(cells, labelling, m_cancellation_point);
-    }
+    if (surface.triangles.empty()) // few samples, whose normals agree with none of the facets
+      surface.triangles = hull_facets(cells);
     if (m_options.keep_boundaries)
       surface.triangles = Boundary_opening(m_cloud.positions(), m_normals, surface.triangles)();
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
-  }
-
-  // Of few samples, whose normals agree with none of the facets, there is at least the convex hull.
-  void label_hull(const Cell_complex& cells, Oriented_labelling& labelling)
-  {
-    for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c) {
-      m_cancellation_point();
-      if (!Cell_complex::is_infinite(cells[c]) && !labelling.label(c))
-        labelling.flip(c);
-    }
   }
 
   // Adds vertices on a surface that is smooth between the samples.

@@ -17,11 +17,11 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -47,15 +47,11 @@ bool attach_hull_if_empty(const std::vector<Local_point>& points, Builder& build
     std::vector<Point_index> all(points.size());
     std::iota(all.begin(), all.end(), Point_index(0));
     const Cell_complex cells(points, std::move(all), cancellation_point);
-    for (std::size_t c = 0; c != cells.size(); ++c) {
+    for (const std::array<Point_index, 3>& t : hull_facets(cells)) {
       cancellation_point();
-      for (std::size_t i = 0; i != 4; ++i)
-        if (cells[c].vertices[i] == NO_POINT) {
-          const std::array<Point_index, 3> t = Cell_complex::facet(cells[c], i);
-          const Triangle_verdict verdict = builder.try_add(t[0], t[1], t[2]);
-          is_changed = is_changed || verdict == Triangle_verdict::ADDED;
-          on_verdict(t, verdict);
-        }
+      const Triangle_verdict verdict = builder.try_add(t[0], t[1], t[2]);
+      is_changed = is_changed || verdict == Triangle_verdict::ADDED;
+      on_verdict(t, verdict);
     }
   } catch (const Cancelled&) {
   }

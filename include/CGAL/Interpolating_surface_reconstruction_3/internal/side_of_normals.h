@@ -15,11 +15,11 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -34,17 +34,11 @@ inline bool do_normals_point_inward(const Cell_complex& cells, const std::vector
 {
   constexpr double ROUNDING = 1e-9;
   double flux = 0., area = 0.; // twice
-  for (std::size_t c = 0; c != cells.size(); ++c)
-    for (std::size_t i = 0; i != 4; ++i) {
-      if (cells[c].vertices[i] != NO_POINT)
-        continue;
-      const std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
-      // The facet is seen from the infinite cell, not from the convex hull.
-      const Local_vector n =
-        (i % 2 == 0 ? -1. : 1.) * cross_product(positions[f[1]] - positions[f[0]], positions[f[2]] - positions[f[0]]);
-      flux += n * (normals[f[0]] + normals[f[1]] + normals[f[2]]) / 3.;
-      area += std::sqrt(n.squared_length());
-    }
+  for (const std::array<Point_index, 3>& f : hull_facets(cells)) {
+    const Local_vector n = cross_product(positions[f[1]] - positions[f[0]], positions[f[2]] - positions[f[0]]);
+    flux += n * (normals[f[0]] + normals[f[1]] + normals[f[2]]) / 3.;
+    area += std::sqrt(n.squared_length());
+  }
   return flux < -ROUNDING * area;
 }
 
