@@ -252,7 +252,7 @@ void test_stars_and_fans()
     const in::Surface_fans fans(s.cells, labelling, no_cancellation);
     for (in::Point_index p = 0; p != s.positions.size(); ++p) {
       const std::size_t number = components.find(p, cell_of[p]);
-      ISR_CHECK_EQUAL(stars.find_components(p, cell_of[p]), number);
+      ISR_CHECK_EQUAL(stars.find_components(p), number);
       ISR_CHECK(fans.is_closed(p) == (number == 2));
       std::vector<std::vector<Cell_index> > found(number);
       for (std::size_t k = 0; k != stars.size(); ++k)

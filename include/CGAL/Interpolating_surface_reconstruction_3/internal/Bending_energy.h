@@ -93,7 +93,7 @@ public:
       if (m_edges.bending(c, e) > angle)
         return true;
     return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
-                       [&](Point_index p) { return defects(position_of(p), c) != 0; });
+                       [&](Point_index p) { return defects(position_of(p)) != 0; });
   }
 
   // Of the vertices of a cell.
@@ -209,8 +209,8 @@ private:
     m_defects_after_change[i] = 0;
     if (m_defect_costs[v] == 0.)
       return 0.;
-    const int before = defects(v, c);
-    m_defects_after_change[i] = before != 0 ? m_stars.defects(v, c, c) : defects_beside_cycle(i);
+    const int before = defects(v);
+    m_defects_after_change[i] = before != 0 ? m_stars.defects(v, c) : defects_beside_cycle(i);
     return m_defect_costs[v] * double(m_defects_after_change[i] - before);
   }
 
@@ -238,11 +238,11 @@ private:
     return before;
   }
 
-  // The defects at vertex v, of which `first` is a cell; most are never asked for.
-  int defects(std::size_t v, Cell_index first)
+  // The defects at vertex v; most are never asked for.
+  int defects(std::size_t v)
   {
     if (m_defects[v] == NOT_COUNTED)
-      m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v, first);
+      m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v);
     return m_defects[v];
   }
 

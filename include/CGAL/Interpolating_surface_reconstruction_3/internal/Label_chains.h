@@ -129,7 +129,7 @@ public:
   void wake_around(Cell_index c, std::vector<Cell_index>& woken)
   {
     for (Point_index p : m_cells[c].vertices)
-      m_energy.stars().for_each_cell(m_cells.position(p), c, [&](Cell_index n) {
+      m_energy.stars().for_each_cell(m_cells.position(p), [&](Cell_index n) {
         if (is_free(n)) {
           m_state[n] = State::AWAKE;
           woken.push_back(n);

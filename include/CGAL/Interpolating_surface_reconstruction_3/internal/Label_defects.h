@@ -36,8 +36,6 @@ class Label_defects
 protected:
   using Cell_index = Cell_complex::Cell_index;
 
-  static constexpr Cell_index NO_CELL = static_cast<Cell_index>(-1);
-
   // A vertex with very many cells, one of them, and how often they were changed.
   struct Hub
   {
@@ -71,25 +69,25 @@ protected:
   template <typename IsInScope, typename Cancellation_point>
   Label_defects(const Cell_complex& cells, Labelling& labelling, const IsInScope& is_in_scope,
                 Cancellation_point& cancellation_point)
-    : m_cells(cells), m_labelling(labelling), m_cell_of(cells.points().size(), NO_CELL),
+    : m_cells(cells), m_labelling(labelling), m_is_counted(cells.points().size(), 0),
       m_defects(cells.points().size(), 0), m_stars(cells, labelling)
   {
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
       for (Point_index p : cells[c].vertices)
         if (p != NO_POINT && is_in_scope(p))
-          m_cell_of[position_of(p)] = c;
+          m_is_counted[position_of(p)] = 1;
     }
-    for (std::size_t v = 0; v != m_cell_of.size(); ++v)
-      if (m_cell_of[v] != NO_CELL && m_stars.is_hub(v)) {
-        m_hubs.push_back(Hub{ v, m_cell_of[v], 0 });
-        m_cell_of[v] = NO_CELL;
+    for (std::size_t v = 0; v != m_is_counted.size(); ++v)
+      if (m_is_counted[v] != 0 && m_stars.is_hub(v)) {
+        m_hubs.push_back(Hub{ v, m_stars.first_cell(v), 0 });
+        m_is_counted[v] = 0;
       }
   }
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
-  std::size_t find_components(std::size_t v) { return m_stars.find_components(v, m_cell_of[v]); }
+  std::size_t find_components(std::size_t v) { return m_stars.find_components(v); }
 
   // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
   int count_defects(std::size_t v)
@@ -160,7 +158,7 @@ protected:
     m_touched.clear();
     for (Cell_index c : cells)
       for (Point_index p : m_cells[c].vertices)
-        if (p != NO_POINT && m_cell_of[position_of(p)] != NO_CELL)
+        if (p != NO_POINT && m_is_counted[position_of(p)] != 0)
           m_touched.push_back(position_of(p));
     std::sort(m_touched.begin(), m_touched.end());
     m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
@@ -182,7 +180,7 @@ protected:
   const Cell_complex& m_cells;
   Labelling& m_labelling;
   bool m_counts_points_left_out = true;
-  std::vector<Cell_index> m_cell_of; // a cell at each point of the scope that is no hub, else NO_CELL
+  std::vector<unsigned char> m_is_counted; // of each point: whether it is in the scope and no hub
   std::vector<Hub> m_hubs;
   std::vector<int> m_defects; // of each point, 0 out of the scope
   Label_stars<Labelling> m_stars;

@@ -17,7 +17,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,8 +26,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// The cells around the vertices, to count components of equal labels again and again; every star is
-// collected when it is first asked for.
+// The cells around the vertices, to count components of equal labels again and again; which of them are neighbors in a
+// star is found when it is first asked for.
 template <typename Labelling>
 class Label_stars
 {
@@ -36,33 +35,41 @@ public:
   using Cell_index = Cell_complex::Cell_index;
 
   Label_stars(const Cell_complex& cells, const Labelling& labelling)
-    : m_cells(cells), m_labelling(labelling), m_places(cells.size(), NO_PLACE), m_sizes(cells.points().size(), 0),
-      m_begins(cells.points().size(), NO_STAR)
+    : m_cells(cells), m_labelling(labelling), m_places(cells.size()), m_begins(cells.points().size() + 1, 0),
+      m_neighbor_begins(cells.points().size(), NO_STAR)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
         if (p != NO_POINT)
-          ++m_sizes[cells.position(p)];
+          ++m_begins[cells.position(p)];
+    // Sums up to each vertex are the ends of the stars, which the cells count down from the last one.
+    for (std::size_t v = 1; v != m_begins.size(); ++v)
+      m_begins[v] += m_begins[v - 1];
+    m_star_cells.resize(m_begins.back());
+    for (std::size_t c = cells.size(); c-- != 0;)
+      for (Point_index p : cells[c].vertices)
+        if (p != NO_POINT)
+          m_star_cells[--m_begins[cells.position(p)]] = static_cast<Cell_index>(c);
   }
 
   // Whether the vertex has more cells than a star can have.
-  bool is_hub(std::size_t v) const { return m_sizes[v] > MAXIMUM_CELLS; }
+  bool is_hub(std::size_t v) const { return star_size(v) > MAXIMUM_CELLS; }
 
-  // For a vertex that is no hub: how far the surface between the labels is from a manifold at vertex v, of which
-  // `first` is a cell, with the label of cell `changed` the other way round: 0 if there is one component of each
-  // label.
-  int defects(std::size_t v, Cell_index first, Cell_index changed = Cell_complex::NO_CELL)
+  // For a vertex that is no hub: how far the surface between the labels is from a manifold at vertex v, with the label
+  // of cell `changed` the other way round: 0 if there is one component of each label.
+  int defects(std::size_t v, Cell_index changed = Cell_complex::NO_CELL)
   {
-    const auto components = static_cast<int>(find_components(v, first, changed));
+    const auto components = static_cast<int>(find_components(v, changed));
     return components == 1 ? 1 : components - 2;
   }
 
   // The components of equal labels around vertex v, which is no hub, connected by facets at v and numbered in the order
   // of their smallest cells; returns their number.
-  std::size_t find_components(std::size_t v, Cell_index first, Cell_index changed = Cell_complex::NO_CELL)
+  std::size_t find_components(std::size_t v, Cell_index changed = Cell_complex::NO_CELL)
   {
-    m_begin = find_star(v, first);
-    m_size = m_sizes[v];
+    m_begin = m_begins[v];
+    m_size = star_size(v);
+    m_neighbor_begin = find_neighbors(v);
     std::array<unsigned char, MAXIMUM_CELLS> labels, stack;
     for (std::size_t k = 0; k != m_size; ++k) {
       const Cell_index c = m_star_cells[m_begin + k];
@@ -80,7 +87,7 @@ public:
       while (height != 0) {
         const unsigned char m = stack[--height];
         m_component_of[m] = component;
-        for (unsigned char n : m_neighbors[m_begin + m])
+        for (unsigned char n : m_neighbors[m_neighbor_begin + m])
           if (labels[n] == label) {
             labels[n] = VISITED;
             stack[height++] = n;
@@ -101,7 +108,7 @@ public:
   {
     const unsigned char own = m_component_of[k];
     unsigned char first = own;
-    for (unsigned char n : m_neighbors[m_begin + k]) {
+    for (unsigned char n : m_neighbors[m_neighbor_begin + k]) {
       const unsigned char other = m_component_of[n];
       if (first == own)
         first = other;
@@ -111,12 +118,13 @@ public:
     return false;
   }
 
-  // Calls visit(cell) for the cells at vertex v, which is no hub, of which `first` is one.
+  Cell_index first_cell(std::size_t v) const { return m_star_cells[m_begins[v]]; }
+
+  // Calls visit(cell) for the cells at vertex v.
   template <typename Visit>
-  void for_each_cell(std::size_t v, Cell_index first, const Visit& visit)
+  void for_each_cell(std::size_t v, const Visit& visit) const
   {
-    const std::size_t begin = find_star(v, first);
-    for (std::size_t k = begin; k != begin + m_sizes[v]; ++k)
+    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
       visit(m_star_cells[k]);
   }
 
@@ -127,59 +135,43 @@ private:
   // Positions in a star take one byte. A point of a surface has some thirty cells.
   static constexpr std::size_t MAXIMUM_CELLS = 256;
 
-  static constexpr std::uint16_t NO_PLACE = static_cast<std::uint16_t>(-1);
+  std::size_t star_size(std::size_t v) const { return m_begins[v + 1] - m_begins[v]; }
 
-  // The position of the star in m_star_cells.
-  std::size_t find_star(std::size_t v, Cell_index first)
+  // The position in m_neighbors of those of the star of vertex v, which is no hub.
+  std::size_t find_neighbors(std::size_t v)
   {
-    if (m_begins[v] == NO_STAR) {
-      m_begins[v] = static_cast<std::uint32_t>(m_star_cells.size());
-      collect(m_cells.points()[v], first);
+    if (m_neighbor_begins[v] == NO_STAR) {
+      m_neighbor_begins[v] = static_cast<std::uint32_t>(m_neighbors.size());
+      collect_neighbors(v);
     }
-    return m_begins[v];
+    return m_neighbor_begins[v];
   }
 
-  void collect(Point_index p, Cell_index first)
+  void collect_neighbors(std::size_t v)
   {
-    const std::size_t begin = m_star_cells.size();
-    const auto add = [&](Cell_index c) {
-      if (m_places[c] == NO_PLACE) {
-        m_places[c] = 0;
-        m_star_cells.push_back(c);
-      }
-    };
-    add(first);
-    for (std::size_t k = begin; k != m_star_cells.size(); ++k) {
-      const Cell_complex::Cell& cell = m_cells[m_star_cells[k]];
-      for (std::size_t i = 0; i != 4; ++i)
-        if (cell.vertices[i] != p)
-          add(cell.neighbors[i]);
-    }
-    std::sort(m_star_cells.begin() + static_cast<std::ptrdiff_t>(begin), m_star_cells.end());
-    for (std::size_t k = begin; k != m_star_cells.size(); ++k)
-      m_places[m_star_cells[k]] = static_cast<std::uint16_t>(k - begin);
-    for (std::size_t k = begin; k != m_star_cells.size(); ++k) {
+    const Point_index p = m_cells.points()[v];
+    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
+      m_places[m_star_cells[k]] = static_cast<unsigned char>(k - m_begins[v]);
+    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k) {
       const Cell_complex::Cell& cell = m_cells[m_star_cells[k]];
       std::array<unsigned char, 3> neighbors{};
       std::size_t n = 0;
       for (std::size_t i = 0; i != 4; ++i)
         if (cell.vertices[i] != p)
-          neighbors[n++] = static_cast<unsigned char>(m_places[cell.neighbors[i]]);
+          neighbors[n++] = m_places[cell.neighbors[i]];
       m_neighbors.push_back(neighbors);
     }
-    for (std::size_t k = begin; k != m_star_cells.size(); ++k)
-      m_places[m_star_cells[k]] = NO_PLACE;
   }
 
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
-  std::vector<std::uint16_t> m_places;                    // of the cells in the star that is being collected
-  std::vector<std::uint32_t> m_sizes;                     // of the star of each vertex
-  std::vector<std::uint32_t> m_begins;                    // of the star of each vertex in m_star_cells, or NO_STAR
+  std::vector<unsigned char> m_places;                    // of the cells in the star that is being looked at
+  std::vector<std::uint32_t> m_begins;                    // of the star of each vertex in m_star_cells, and the end
   std::vector<Cell_index> m_star_cells;                   // increasing in each star
-  std::vector<std::array<unsigned char, 3> > m_neighbors; // of each of them, in its star
+  std::vector<std::uint32_t> m_neighbor_begins;           // of the star of each vertex in m_neighbors, or NO_STAR
+  std::vector<std::array<unsigned char, 3> > m_neighbors; // of cells, in their star
   // Of the components found last.
-  std::size_t m_begin = 0, m_size = 0;
+  std::size_t m_begin = 0, m_neighbor_begin = 0, m_size = 0;
   std::array<unsigned char, MAXIMUM_CELLS> m_component_of;
 };
 

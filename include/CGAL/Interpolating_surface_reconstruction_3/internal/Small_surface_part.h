@@ -35,7 +35,7 @@ class Small_surface_part
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  Small_surface_part(const Cell_complex& cells, const Labelling& labelling, Label_stars<Labelling>& stars)
+  Small_surface_part(const Cell_complex& cells, const Labelling& labelling, const Label_stars<Labelling>& stars)
     : m_cells(cells), m_labelling(labelling), m_stars(stars), m_last_walks(cells.points().size(), 0)
   { }
 
@@ -43,11 +43,11 @@ public:
   {
     find_starts(cells);
     const std::uint32_t before = m_walk;
-    for (const Place& start : m_starts) {
-      if (last_walk_to(start.point) > before)
+    for (Point_index start : m_starts) {
+      if (last_walk_to(start) > before)
         continue;
-      if (walk(start) && std::any_of(m_starts.begin(), m_starts.end(),
-                                     [&](const Place& s) { return last_walk_to(s.point) != m_walk; }))
+      if (walk(start) &&
+          std::any_of(m_starts.begin(), m_starts.end(), [&](Point_index p) { return last_walk_to(p) != m_walk; }))
         return true;
     }
     return false;
@@ -56,14 +56,6 @@ public:
 private:
   // Points that a component has at least. What is cut off by a chain of changes has fewer.
   static constexpr std::size_t MINIMUM_POINTS = 64;
-
-  // A point and one of its cells.
-  struct Place
-  {
-    Point_index point;
-    Cell_index cell;
-    bool operator<(const Place& other) const { return point < other.point; }
-  };
 
   std::uint32_t& last_walk_to(Point_index p) { return m_last_walks[m_cells.position(p)]; }
 
@@ -74,30 +66,29 @@ private:
     for (Cell_index c : cells)
       for (Point_index p : m_cells[c].vertices)
         if (p != NO_POINT)
-          m_starts.push_back(Place{ p, c });
-    std::stable_sort(m_starts.begin(), m_starts.end());
-    const auto is_same = [](const Place& a, const Place& b) { return a.point == b.point; };
-    m_starts.erase(std::unique(m_starts.begin(), m_starts.end(), is_same), m_starts.end());
-    const auto is_off_surface = [&](const Place& place) {
+          m_starts.push_back(p);
+    std::sort(m_starts.begin(), m_starts.end());
+    m_starts.erase(std::unique(m_starts.begin(), m_starts.end()), m_starts.end());
+    const auto is_off_surface = [&](Point_index p) {
       bool result = true;
-      for_each_neighbor(place, [&](const Place&) { result = false; });
+      for_each_neighbor(p, [&](Point_index) { result = false; });
       return result;
     };
     m_starts.erase(std::remove_if(m_starts.begin(), m_starts.end(), is_off_surface), m_starts.end());
   }
 
   // Walks over the surface until it ends or has enough points; returns whether it has ended.
-  bool walk(const Place& start)
+  bool walk(Point_index start)
   {
     ++m_walk;
-    last_walk_to(start.point) = m_walk;
+    last_walk_to(start) = m_walk;
     m_reached.assign(1, start);
     for (std::size_t k = 0; k != m_reached.size(); ++k) {
-      if (m_reached.size() >= MINIMUM_POINTS || m_stars.is_hub(m_cells.position(m_reached[k].point)))
+      if (m_reached.size() >= MINIMUM_POINTS || m_stars.is_hub(m_cells.position(m_reached[k])))
         return false;
-      for_each_neighbor(m_reached[k], [&](const Place& neighbor) {
-        if (last_walk_to(neighbor.point) != m_walk) {
-          last_walk_to(neighbor.point) = m_walk;
+      for_each_neighbor(m_reached[k], [&](Point_index neighbor) {
+        if (last_walk_to(neighbor) != m_walk) {
+          last_walk_to(neighbor) = m_walk;
           m_reached.push_back(neighbor);
         }
       });
@@ -105,26 +96,26 @@ private:
     return true;
   }
 
-  // Calls visit(place) for the points connected to a point by edges of the surface.
+  // Calls visit(point) for the points connected to a point by edges of the surface.
   template <typename Visit>
-  void for_each_neighbor(const Place place, const Visit& visit)
+  void for_each_neighbor(Point_index p, const Visit& visit) const
   {
-    const std::size_t v = m_cells.position(place.point);
+    const std::size_t v = m_cells.position(p);
     if (m_stars.is_hub(v))
       return;
-    m_stars.for_each_cell(v, place.cell, [&](Cell_index c) {
+    m_stars.for_each_cell(v, [&](Cell_index c) {
       for (std::size_t i = 0; i != 4; ++i)
-        if (m_cells[c].vertices[i] != place.point && m_labelling.is_surface(c, i))
-          for (Point_index p : Cell_complex::facet(m_cells[c], i))
-            if (p != NO_POINT && p != place.point)
-              visit(Place{ p, c });
+        if (m_cells[c].vertices[i] != p && m_labelling.is_surface(c, i))
+          for (Point_index q : Cell_complex::facet(m_cells[c], i))
+            if (q != NO_POINT && q != p)
+              visit(q);
     });
   }
 
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
-  Label_stars<Labelling>& m_stars;
-  std::vector<Place> m_starts, m_reached;
+  const Label_stars<Labelling>& m_stars;
+  std::vector<Point_index> m_starts, m_reached;
   std::uint32_t m_walk = 0;                // number of walks so far
   std::vector<std::uint32_t> m_last_walks; // of each point: the last one that reached it, counted from 1
 };

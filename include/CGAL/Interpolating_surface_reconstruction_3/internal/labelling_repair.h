@@ -48,15 +48,14 @@ class Labelling_repair : private Label_defects<Labelling>
   using Base::flip;
   using Base::gain;
   using Base::is_at_surface;
-  using Base::m_cell_of;
   using Base::m_cells;
   using Base::m_counts_points_left_out;
   using Base::m_defects;
   using Base::m_hubs;
+  using Base::m_is_counted;
   using Base::m_labelling;
   using Base::m_moves;
   using Base::m_touched;
-  using Base::NO_CELL;
   using Base::update_defects;
   using typename Base::Hub;
 
@@ -88,9 +87,9 @@ public:
   {
     std::vector<std::size_t> todo;
     const Surface_fans fans(m_cells, m_labelling, cancellation_point);
-    for (std::size_t v = m_cell_of.size(); v-- != 0;) {
+    for (std::size_t v = m_is_counted.size(); v-- != 0;) {
       cancellation_point();
-      m_defects[v] = m_cell_of[v] == NO_CELL || fans.is_closed(v) ? 0 : count_defects(v);
+      m_defects[v] = m_is_counted[v] == 0 || fans.is_closed(v) ? 0 : count_defects(v);
       if (m_defects[v] != 0)
         todo.push_back(v);
     }
