@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -73,6 +74,27 @@ public:
     m_chains.set_effort(left - spent);
     restore_agreed_facets(cancellation_point);
     effort.all = m_chains.effort();
+  }
+
+  // What it costs, in defects, to change the free ones of the cells together and then to follow chains from around them.
+  // Nothing stays changed. Takes what it spends from the effort.
+  template <typename Cancellation_point>
+  double cost_together(const std::vector<Cell_index>& cells, std::size_t& effort,
+                       Cancellation_point&& cancellation_point)
+  {
+    Changes changes;
+    const double result = change_together(cells, effort, changes, cancellation_point);
+    m_chains.take_back(changes, 0);
+    return result;
+  }
+
+  // The same, but what was changed stays so.
+  template <typename Cancellation_point>
+  void change_together(const std::vector<Cell_index>& cells, std::size_t& effort,
+                       Cancellation_point&& cancellation_point)
+  {
+    Changes changes;
+    change_together(cells, effort, changes, cancellation_point);
   }
 
 private:
@@ -200,6 +222,27 @@ private:
         m_chains.set_awake(c, m_chains.energy().has_lost_agreed_facet(c));
     Changes changes;
     m_chains.follow(all_cells(), 1, changes, cancellation_point);
+  }
+
+  // Returns what that costs in the largest defects of the cells; infinite if none is free.
+  template <typename Cancellation_point>
+  double change_together(const std::vector<Cell_index>& cells, std::size_t& effort, Changes& changes,
+                         Cancellation_point& cancellation_point)
+  {
+    m_chains.set_effort(effort);
+    double cost = 0., defect = 0.;
+    for (Cell_index c : cells)
+      if (m_chains.is_free(c)) {
+        cost += m_chains.cost_of_change(c);
+        defect = (std::max)(defect, m_chains.energy().cost_of_defect(c));
+        changes.push_back(Change{ c, m_chains.energy().change(c) });
+      }
+    std::vector<Cell_index> starts;
+    for (const Change& change : changes)
+      m_chains.wake_around(change.cell, starts);
+    cost += m_chains.follow(std::move(starts), MAXIMUM_CHAIN, changes, cancellation_point);
+    effort = m_chains.effort();
+    return defect > 0. ? cost / defect : std::numeric_limits<double>::infinity();
   }
 
   // Less than n; the same in every run and on every machine.

@@ -20,14 +20,13 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_area.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
@@ -89,9 +88,6 @@ private:
 
   // A surface of so many times the area has sheets where there was none.
   static constexpr double MAXIMUM_GROWTH = 2.;
-
-  // As a value of the function, which is in units of the distance to the samples.
-  static constexpr float CERTAIN = 100.f;
 
   // Of the components that are replaced, all together, so that this takes seconds at most: it costs several times what
   // all else does.
@@ -222,17 +218,8 @@ private:
   Oriented_labelling label(const Cell_complex& cells, Triangles triangles, Progress& progress,
                            CancellationPoint& cancellation_point)
   {
-    using Side = Surface_sides::Side;
     const Surface_sides sides(cells, std::move(triangles), m_is_in_doubt, cancellation_point);
-    const Cell_signs signs(cells, m_points, m_normals);
-    std::vector<float> values = signs.template compute<ConcurrencyTag>(
-      [&] { return progress.advance(0.); }, [&](Cell_complex::Cell_index c) { return sides[c] == Side::UNKNOWN; });
-    for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
-      if (sides[c] != Side::UNKNOWN && !Cell_complex::is_infinite(cells[c]))
-        values[c] = sides[c] == Side::INSIDE ? -CERTAIN : CERTAIN;
-    Oriented_labelling labelling(cells, m_points, m_normals, std::move(values));
-    relax_labels(cells, labelling, cancellation_point);
-    return labelling;
+    return label_by_sides<ConcurrencyTag>(cells, sides, m_points, m_normals, progress, cancellation_point);
   }
 
   template <typename CancellationPoint>

@@ -30,6 +30,17 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
+// Changes labels where the surface between them is no manifold, and nowhere else, whatever that loses; it may remain so
+// at some points. `cancellation_point()` is called again and again and may throw.
+template <typename CancellationPoint>
+void repair_labels(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
+{
+  Labelling_repair<Oriented_labelling> repair(
+    cells, labelling, [](Point_index) { return true; }, (std::numeric_limits<double>::max)(), true, cancellation_point);
+  repair(cancellation_point);
+  repair.untangle(cancellation_point);
+}
+
 // Changes labels until the surface between them is a manifold at nearly all points, whatever that loses.
 // `cancellation_point()` is called again and again and may throw.
 template <typename CancellationPoint>

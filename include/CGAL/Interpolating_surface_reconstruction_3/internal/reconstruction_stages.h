@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
@@ -153,6 +154,11 @@ public:
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
     unused = remove_crossings(first_late, std::move(unclosed), builder, insert, unused);
+    if (closes_all_loops()) {
+      Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder);
+      if (join_components(m_progress))
+        unused = insert(m_progress);
+    }
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);

@@ -1,0 +1,263 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_COMPONENT_JOINING_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_COMPONENT_JOINING_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Joins components that are nearer to each other than their own points: where points are sparse, the ends of a thin part
+// are closed by caps without points of their own, and what remains of it is a component. The Delaunay cells between two
+// components change their labels together, which makes a bridge; then the surface around is bent as little as possible.
+// A bridge stays if it bends the surface little more than the caps do that it takes the place of.
+template <typename ConcurrencyTag, typename Builder>
+class Component_joining
+{
+public:
+  using Triangle = typename Builder::Triangle;
+
+  Component_joining(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder)
+    : m_points(points), m_octree(octree), m_builder(builder)
+  { }
+
+  // For a closed surface. Returns whether it has changed; ends early if cancelled.
+  template <typename Progress>
+  bool operator()(Progress& progress)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    bool is_changed = false;
+    try {
+      find_triangles(progress);
+      Component_contacts contacts(m_points, m_triangles);
+      if (contacts.size() < 2)
+        return false;
+      contacts.find(m_octree, cancellation_point);
+      find_free_points(contacts);
+      for (const std::vector<Point_index>& group : contacts.groups())
+        if (group.size() <= MAXIMUM_POINTS)
+          is_changed = join(group, progress, cancellation_point) || is_changed;
+    } catch (const Cancelled&) {
+    }
+    return is_changed;
+  }
+
+private:
+  using Triangles = std::vector<Triangle>;
+  using Cell_index = Cell_complex::Cell_index;
+
+  // Of components near to each other: this takes some seconds at most.
+  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
+
+  // The most points beside triangles that are no facets, in parts of all: the labels would give another surface.
+  static constexpr std::size_t PART_IN_DOUBT = 32;
+
+  // Rings around points near another component whose cells may change.
+  static constexpr int FREE_RINGS = 2;
+
+  // In defects, which are what a bridge may cost: a sampled surface has few components.
+  static constexpr double MAXIMUM_COST = 2.;
+
+  // Changes of labels that may be tried.
+  static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 64;
+
+  // Bridges are found anew after each.
+  static constexpr std::size_t MAXIMUM_ROUNDS = 4;
+
+  // Two components, in order.
+  using Ends = std::array<Point_index, 2>;
+
+  static constexpr Ends NO_ENDS{ { NO_POINT, NO_POINT } };
+
+  struct Bridge
+  {
+    Ends ends;
+    std::vector<Cell_index> cells;
+    double cost; // in defects
+  };
+
+  template <typename Progress>
+  void find_triangles(Progress& progress)
+  {
+    Surface_orientation<Builder> orientation(m_points, m_builder);
+    orientation.face_outward([&] { return progress.advance(0.); });
+    m_triangles.clear();
+    orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
+  }
+
+  void find_free_points(const Component_contacts& contacts)
+  {
+    m_is_free.assign(m_points.size(), 0);
+    std::vector<Point_index> free = contacts.near();
+    for (Point_index p : free)
+      m_is_free[p] = 1;
+    std::size_t begin = 0;
+    for (int ring = 0; ring != FREE_RINGS; ++ring)
+      for (const std::size_t end = free.size(); begin != end; ++begin)
+        m_builder.for_each_triangle_at(free[begin], [&](const Triangle& t) {
+          for (Point_index p : t)
+            if (!m_is_free[p]) {
+              m_is_free[p] = 1;
+              free.push_back(p);
+            }
+        });
+  }
+
+  // Joins components of all these points, if no point is left out. Returns whether there are fewer then.
+  template <typename Progress, typename CancellationPoint>
+  bool join(const std::vector<Point_index>& group, Progress& progress, CancellationPoint& cancellation_point)
+  {
+    const Cell_complex cells(m_points, group, cancellation_point);
+    if (cells.size() == 0)
+      return false;
+    Triangles old;
+    std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
+                 [&](const Triangle& t) { return std::binary_search(group.begin(), group.end(), t[0]); });
+    std::vector<unsigned char> is_in_doubt(m_points.size(), 0);
+    const Surface_sides sides(cells, old, is_in_doubt, cancellation_point);
+    const auto doubts = static_cast<std::size_t>(std::count(is_in_doubt.begin(), is_in_doubt.end(), 1));
+    if (doubts > group.size() / PART_IN_DOUBT)
+      return false;
+    const std::vector<Local_vector> normals = vertex_normals(m_points, old);
+    Oriented_labelling labelling =
+      label_by_sides<ConcurrencyTag>(cells, sides, m_points, normals, progress, cancellation_point);
+    make_nearly_manifold(cells, labelling, cancellation_point);
+    const Triangles labelled = facets_between_labels(cells, labelling, cancellation_point);
+    const Component_contacts before(m_points, old);
+    if (labelled.size() != old.size() || Component_contacts(m_points, labelled).size() != before.size())
+      return false;
+    build_bridges(cells, labelling, cancellation_point);
+    repair_labels(cells, labelling, cancellation_point);
+    Triangles joined = facets_between_labels(cells, labelling, cancellation_point);
+    const Component_contacts after(m_points, joined);
+    const bool has_all = std::all_of(group.begin(), group.end(),
+                                     [&](Point_index p) { return after.is_on_surface(p) || !before.is_on_surface(p); });
+    return has_all && after.size() < before.size() &&
+           !exchange_triangles(m_builder, group, std::move(joined), cancellation_point).empty();
+  }
+
+  // The best ones first, and no two between the same components, which would make a handle.
+  template <typename CancellationPoint>
+  void build_bridges(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
+  {
+    const auto is_free = [&](Cell_index c) {
+      const auto& vertices = cells[c].vertices;
+      return std::any_of(vertices.begin(), vertices.end(), [&](Point_index p) { return m_is_free[p] != 0; });
+    };
+    Label_search<Oriented_labelling> search(
+      cells, m_points, labelling, is_free, is_free, [](auto...) { return false; }, [](auto) { return true; },
+      cancellation_point);
+    std::size_t effort = SEARCH_EFFORT_PER_POINT * cells.points().size();
+    for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
+      std::vector<Bridge> bridges = find_bridges(cells, labelling, cancellation_point);
+      for (Bridge& bridge : bridges)
+        bridge.cost = search.cost_together(bridge.cells, effort, cancellation_point);
+      std::stable_sort(bridges.begin(), bridges.end(),
+                       [](const Bridge& a, const Bridge& b) { return a.cost < b.cost; });
+      Parity_union_find joined(m_points.size());
+      bool is_changed = false;
+      for (const Bridge& bridge : bridges) {
+        const Point_index first = joined.find(bridge.ends[0]).root, second = joined.find(bridge.ends[1]).root;
+        if (effort == 0 || first == second ||
+            !(search.cost_together(bridge.cells, effort, cancellation_point) < MAXIMUM_COST))
+          continue;
+        search.change_together(bridge.cells, effort, cancellation_point);
+        joined.unite(first, second, false);
+        is_changed = true;
+      }
+      if (!is_changed)
+        return;
+    }
+  }
+
+  // The cells between two components whose points are near to each other, those together that share facets.
+  template <typename CancellationPoint>
+  std::vector<Bridge> find_bridges(const Cell_complex& cells, const Oriented_labelling& labelling,
+                                   CancellationPoint& cancellation_point) const
+  {
+    const Component_contacts contacts(m_points, facets_between_labels(cells, labelling, cancellation_point));
+    std::vector<Ends> ends(cells.size(), NO_ENDS);
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      ends[c] = ends_of(cells[c], contacts);
+    std::vector<Bridge> result;
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
+      if (ends[c] == NO_ENDS)
+        continue;
+      result.push_back(Bridge{ ends[c], { c }, 0. });
+      ends[c] = NO_ENDS;
+      Bridge& bridge = result.back();
+      for (std::size_t k = 0; k != bridge.cells.size(); ++k)
+        for (Cell_index n : cells[bridge.cells[k]].neighbors)
+          if (ends[n] == bridge.ends && labelling.label(n) == labelling.label(c)) {
+            ends[n] = NO_ENDS;
+            bridge.cells.push_back(n);
+          }
+    }
+    return result;
+  }
+
+  // The two components that the cell is between, if it is; those between more are left to what bends the surface least.
+  static Ends ends_of(const Cell_complex::Cell& cell, const Component_contacts& contacts)
+  {
+    if (Cell_complex::is_infinite(cell))
+      return NO_ENDS;
+    std::array<Point_index, 4> components;
+    for (std::size_t i = 0; i != 4; ++i) {
+      components[i] = contacts.component(cell.vertices[i]);
+      for (std::size_t j = 0; j != i; ++j)
+        if (components[j] != components[i] && !contacts.are_near(cell.vertices[j], cell.vertices[i]))
+          return NO_ENDS;
+    }
+    std::sort(components.begin(), components.end());
+    const Ends ends{ { components.front(), components.back() } };
+    const bool are_two = ends[0] != ends[1] && std::all_of(components.begin(), components.end(),
+                                                           [&](Point_index c) { return c == ends[0] || c == ends[1]; });
+    return are_two ? ends : NO_ENDS;
+  }
+
+  const std::vector<Local_point>& m_points;
+  const Point_octree_3& m_octree;
+  Builder& m_builder;
+  Triangles m_triangles;                // of the surface as it was, oriented
+  std::vector<unsigned char> m_is_free; // of each point
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_COMPONENT_JOINING_H

@@ -1,0 +1,140 @@
+#include "isr_surface_test_utils.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace isr_test;
+using isr_internal::Cell_complex;
+using isr_internal::Component_contacts;
+using isr_internal::Component_joining;
+using isr_internal::Point_octree_3;
+
+namespace {
+
+// Two closed cylinders on one axis, of circles of n points, with or without points in the middle of their ends.
+Points cylinders(std::size_t n, double gap, bool has_centers)
+{
+  constexpr double HEIGHT = .7;
+  Points points;
+  for (double low : { 0., HEIGHT + gap }) {
+    for (const Point& p : wall(n, HEIGHT).points)
+      points.push_back(p + Vector(0, 0, low));
+    for (double z : { low, low + HEIGHT })
+      if (has_centers)
+        points.emplace_back(0, 0, z);
+  }
+  return points;
+}
+
+// The surfaces of the two halves of the points: of the cells with all vertices in one of them.
+Triples surfaces_of_halves(const Hand_surface& s)
+{
+  std::vector<Point_index> all(s.cloud.size());
+  for (Point_index p = 0; p != all.size(); ++p)
+    all[p] = p;
+  const Cell_complex cells(s.cloud.positions(), all);
+  const auto half = [&](const Cell_complex::Cell& c) {
+    if (Cell_complex::is_infinite(c))
+      return 0;
+    const auto in_first = std::count_if(c.vertices.begin(), c.vertices.end(),
+                                        [&](Point_index p) { return 2 * s.cloud.input_index(p) < s.cloud.size(); });
+    return in_first == 4 ? 1 : in_first == 0 ? 2 : 0;
+  };
+  Triples triples;
+  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (half(cells[c]) != 0 && half(cells[cells[c].neighbors[i]]) != half(cells[c])) {
+        std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
+        if (i % 2 != 0)
+          std::swap(f[1], f[2]);
+        triples.push_back(s.input_triple(f));
+      }
+  return triples;
+}
+
+std::size_t number_of_components(const Hand_surface& s, const Triples& triples)
+{
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (const Triple& t : triples)
+    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  return Component_contacts(s.cloud.positions(), triangles).size();
+}
+
+bool join_components(Hand_surface& s)
+{
+  const Point_octree_3 octree(s.cloud.positions());
+  return Component_joining<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), octree,
+                                                                        s.builder)(no_progress);
+}
+
+// Whether the cylinders become one component.
+bool are_joined(double gap, bool has_centers)
+{
+  const Points points = cylinders(9, gap, has_centers);
+  Hand_surface s(points);
+  const Triples before = surfaces_of_halves(s);
+  ISR_CHECK(s.add(before));
+  ISR_CHECK_EQUAL(number_of_components(s, before), 2u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(before), 4);
+  const bool is_changed = join_components(s);
+  const Triples after = s.triangles();
+  ISR_CHECK(validation::is_oriented_manifold(points, after, Kernel()));
+  ISR_CHECK(validation::boundary_edges(after).empty());
+  ISR_CHECK_EQUAL(validation::used_points(after).size(), points.size());
+  const std::size_t components = number_of_components(s, after);
+  ISR_CHECK_EQUAL(is_changed, components == 1);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(after), 2 * int(components));
+  ISR_CHECK(!join_components(s)); // nothing is left to do
+  return components == 1;
+}
+
+void test_cylinders()
+{
+  begin_case("nearer than their points");
+  ISR_CHECK(are_joined(.5, false));
+  begin_case("with ends that have points");
+  ISR_CHECK(!are_joined(.5, true));
+  begin_case("farther than their points");
+  ISR_CHECK(!are_joined(2.5, false));
+}
+
+void test_contacts()
+{
+  begin_case("contacts");
+  Mesh mesh = globe(7, 9);
+  append(mesh, globe(5, 7, Point(1.6, 0, 0), .5));
+  append(mesh, globe(5, 7, Point(9, 0, 0), .5));
+  mesh.points.emplace_back(20, 0, 0);
+  const Hand_surface s(mesh.points);
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (const Triple& t : mesh.triples)
+    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  Component_contacts contacts(s.cloud.positions(), triangles);
+  ISR_CHECK_EQUAL(contacts.size(), 3u);
+  ISR_CHECK(!contacts.is_on_surface(s.indices.back()));
+  isr_internal::No_cancellation never;
+  contacts.find(Point_octree_3(s.cloud.positions()), never);
+  const std::size_t of_two = globe(7, 9).points.size() + globe(5, 7).points.size();
+  ISR_CHECK_EQUAL(contacts.groups().size(), 1u);
+  ISR_CHECK_EQUAL(contacts.groups().front().size(), of_two);
+  for (Point_index p : contacts.near())
+    ISR_CHECK(s.cloud.input_index(p) < of_two);
+  ISR_CHECK(!contacts.near().empty());
+}
+
+} // namespace
+
+int main()
+{
+  test_contacts();
+  test_cylinders();
+  return result();
+}
