@@ -14,6 +14,7 @@
 #ifndef ISR_TEST_RECONSTRUCTION_H
 #define ISR_TEST_RECONSTRUCTION_H
 
+#include "isr_test_reconstructors.h"
 #include "isr_test_utils.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>

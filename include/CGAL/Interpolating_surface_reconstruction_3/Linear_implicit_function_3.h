@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Restricted_voronoi_star_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Any_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Linear_pieces.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/chart_normals.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/samples_with_normals.h>
@@ -221,8 +222,8 @@ private:
     template <typename StarConstruction>
     static std::vector<double> radii(const Cloud& cloud, const StarConstruction& construction, double neighbor_radius)
     {
-      Default_visitor visitor;
-      internal::Progress<Default_visitor> progress(std::function<bool(double)>(), visitor);
+      internal::Stored_visitor<Default_visitor> visitor;
+      internal::Progress<internal::Any_visitor> progress(std::function<bool(double)>(), visitor);
       const internal::Point_octree_3 octree(cloud.positions());
       const double maximum =
         neighbor_radius > 0. ? cloud.local_length(neighbor_radius) : std::numeric_limits<double>::infinity();

@@ -9,3 +9,4 @@ add_test(NAME isr_outside_project
     -D LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -D CGAL_DIR=${CGAL_DIR}
     -P ${CMAKE_CURRENT_LIST_DIR}/install_build_run.cmake)
+set_tests_properties(isr_outside_project PROPERTIES COST 40) # seconds, see the tests

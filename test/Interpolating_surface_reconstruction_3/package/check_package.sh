@@ -61,14 +61,15 @@ check_text() {
 
 # The layout of the sources; other versions of clang-format have other ideas of the same options.
 check_format() {
-  local formatter=clang-format-14 file
+  local formatter=clang-format-14
   if ! command -v $formatter > /dev/null; then
     echo "$formatter not found: the format is not checked"
     return
   fi
-  for file in $(grep -E '\.(h|cpp)$' <<< "$files" | grep -v '^doc/.*/Concepts/'); do
-    $formatter --dry-run -Werror "$file" 2> /dev/null || complain "$file: run $formatter -i"
-  done
+  # one process: to start one takes longer than to check a file
+  grep -E '\.(h|cpp)$' <<< "$files" | grep -v '^doc/.*/Concepts/' |
+    xargs $formatter --dry-run -Werror 2> "$scratch/format" ||
+    complain "run $formatter -i: $(sed -n 's/^\([^:]*\):[0-9]*:[0-9]*: error: .*/\1/p' "$scratch/format" | uniq | xargs)"
 }
 
 # Scripts can be run, other files cannot.

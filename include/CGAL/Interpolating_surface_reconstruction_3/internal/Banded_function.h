@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Any_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Restricted_voronoi_star_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Lis_reconstructor_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
@@ -63,11 +64,11 @@ private:
   {
     using Traits = std::decay_t<decltype(function.geom_traits())>;
     using Star_construction = Restricted_voronoi_star_3;
-    Default_visitor visitor;
-    Progress<Default_visitor> progress(std::function<bool(double)>(), visitor);
+    Stored_visitor<Default_visitor> visitor;
+    Progress<Any_visitor> progress(std::function<bool(double)>(), visitor);
     const Star_construction construction;
     Lis_surface surface;
-    Lis_reconstructor_3<ConcurrencyTag, Traits, Star_construction, Default_visitor>(
+    Lis_reconstructor_3<ConcurrencyTag, Traits, Star_construction, Any_visitor>(
       function.cloud(), function.pieces().normals(), construction, Lis_options(), progress)(surface);
     return std::move(surface.triangles);
   }

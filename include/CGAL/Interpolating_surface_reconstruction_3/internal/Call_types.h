@@ -39,7 +39,7 @@ struct Call_types
   using Point_3 = typename boost::property_traits<Point_map>::value_type;
   using Traits = Parameter<internal_np::geom_traits_t, typename Kernel_traits<Point_3>::Kernel>;
   using Star_construction = Parameter<internal_np::star_construction_t, Restricted_voronoi_star_3>;
-  using Stored_visitor = Parameter<internal_np::visitor_t, Default_visitor>;
+  using Visitor = Parameter<internal_np::visitor_t, Default_visitor>;
 
   static constexpr bool has_normals = !parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value;
 };

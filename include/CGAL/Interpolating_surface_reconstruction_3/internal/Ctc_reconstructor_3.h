@@ -40,25 +40,7 @@ public:
 
   // Calls output(triangle) for each triangle of the surface; returns false if cancelled, before the
   // first call.
-  template <typename Output>
-  bool operator()(const Output& output)
-  {
-    const Point_octree_3 octree = m_stages.build_octree(INDEXING_SHARE);
-    if (m_progress.is_cancelled())
-      return false;
-    const Star_table stars = m_stages.build_stars(octree, STARS_SHARE);
-    if (m_progress.is_cancelled())
-      return false;
-    Star_compatibility compatibility = m_stages.find_agreed_triangles(stars, COMPATIBILITY_SHARE);
-    if (m_progress.is_cancelled())
-      return false;
-    Builder builder(compatibility, m_stages.predicates());
-    m_stages.complete_conflicts(octree, builder, COMPLETION_SHARE);
-    if (m_progress.is_cancelled())
-      return false;
-    m_stages.close_holes(octree, builder, HOLES_SHARE);
-    return !m_progress.is_cancelled() && m_stages.write_oriented(builder, output, ORIENTATION_SHARE);
-  }
+  bool operator()(const Triangle_output& output);
 
 private:
   // Shares of the run time, measured on scans, for the progress.
@@ -68,6 +50,27 @@ private:
   Stages m_stages;
   Progress<Visitor>& m_progress;
 };
+
+// Not inline, so that a program may instantiate it once for all of its translation units.
+template <typename ConcurrencyTag, typename Traits, typename StarConstruction, typename Visitor>
+bool Ctc_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Visitor>::operator()(const Triangle_output& output)
+{
+  const Point_octree_3 octree = m_stages.build_octree(INDEXING_SHARE);
+  if (m_progress.is_cancelled())
+    return false;
+  const Star_table stars = m_stages.build_stars(octree, STARS_SHARE);
+  if (m_progress.is_cancelled())
+    return false;
+  Star_compatibility compatibility = m_stages.find_agreed_triangles(stars, COMPATIBILITY_SHARE);
+  if (m_progress.is_cancelled())
+    return false;
+  Builder builder(compatibility, m_stages.predicates());
+  m_stages.complete_conflicts(octree, builder, COMPLETION_SHARE);
+  if (m_progress.is_cancelled())
+    return false;
+  m_stages.close_holes(octree, builder, HOLES_SHARE);
+  return !m_progress.is_cancelled() && m_stages.write_oriented(builder, output, ORIENTATION_SHARE);
+}
 
 template <typename ConcurrencyTag>
 struct Ctc_algorithm

@@ -77,27 +77,7 @@ public:
   { }
 
   // Returns false if cancelled.
-  bool operator()(Lis_surface& surface)
-  {
-    try {
-      const Cell_complex cells = triangulate();
-      if (cells.size() == 0) {
-        connect_charts(surface);
-      } else {
-        // The surface of samples whose normals point inward is that of the opposite normals, turned over.
-        const bool is_inside_out = do_normals_point_inward(cells, m_cloud.positions(), m_normals);
-        if (is_inside_out)
-          turn_normals();
-        Oriented_labelling labelling = find_signs(cells);
-        extract_surface(cells, labelling, surface);
-        if (is_inside_out)
-          turn_over(surface);
-      }
-    } catch (const Cancelled&) {
-      return false;
-    }
-    return finish(surface);
-  }
+  bool operator()(Lis_surface& surface);
 
 private:
   // Shares of the run time, measured on scans, for the progress.
@@ -221,6 +201,30 @@ private:
   Progress<Visitor>& m_progress;
   Cancellation_point<Progress<Visitor> > m_cancellation_point;
 };
+
+// Not inline, so that a program may instantiate it once for all of its translation units.
+template <typename ConcurrencyTag, typename Traits, typename StarConstruction, typename Visitor>
+bool Lis_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Visitor>::operator()(Lis_surface& surface)
+{
+  try {
+    const Cell_complex cells = triangulate();
+    if (cells.size() == 0) {
+      connect_charts(surface);
+    } else {
+      // The surface of samples whose normals point inward is that of the opposite normals, turned over.
+      const bool is_inside_out = do_normals_point_inward(cells, m_cloud.positions(), m_normals);
+      if (is_inside_out)
+        turn_normals();
+      Oriented_labelling labelling = find_signs(cells);
+      extract_surface(cells, labelling, surface);
+      if (is_inside_out)
+        turn_over(surface);
+    }
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return finish(surface);
+}
 
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3

@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Any_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Ctc_reconstructor_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
@@ -39,14 +40,14 @@ std::vector<std::array<Point_index, 3> > chart_triangles(const Cloud& cloud, con
                                                          const KeepGoing& keep_going)
 {
   using Reconstructor =
-    Ctc_reconstructor_3<ConcurrencyTag, typename Cloud::Traits_class, StarConstruction, Default_visitor>;
+    Ctc_reconstructor_3<ConcurrencyTag, typename Cloud::Traits_class, StarConstruction, Any_visitor>;
   std::vector<Point_index> cloud_index;
   for (Point_index p = 0; p != cloud.size(); ++p) {
     cloud_index.resize((std::max)(cloud_index.size(), cloud.input_index(p) + 1));
     cloud_index[cloud.input_index(p)] = p;
   }
-  Default_visitor visitor;
-  Progress<Default_visitor> progress(std::function<bool(double)>(keep_going), visitor);
+  Stored_visitor<Default_visitor> visitor;
+  Progress<Any_visitor> progress(std::function<bool(double)>(keep_going), visitor);
   Reconstruction_options options;
   options.neighbor_radius = neighbor_radius;
   std::vector<std::array<Point_index, 3> > triangles;

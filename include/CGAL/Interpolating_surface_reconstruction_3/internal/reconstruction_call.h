@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Any_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Call_types.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/reconstruction_stages.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
@@ -41,18 +42,6 @@
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
-
-template <typename Visitor>
-Visitor& unwrap(Visitor& visitor)
-{
-  return visitor;
-}
-
-template <typename Visitor>
-Visitor& unwrap(std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor.get();
-}
 
 inline double checked_neighbor_radius(double radius)
 {
@@ -133,17 +122,16 @@ class Reconstruction_call
 {
 public:
   using Types = Call_types<PointRange, NamedParameters>;
-  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<typename Types::Stored_visitor&>()))>;
+  using Visitor = Any_visitor;
 
 private:
-  typename Types::Stored_visitor m_stored_visitor;
+  Stored_visitor<typename Types::Visitor> m_visitor;
 
 public:
   explicit Reconstruction_call(const NamedParameters& np)
-    : m_stored_visitor(choose<Default_visitor>(np, internal_np::visitor)),
+    : m_visitor(choose<Default_visitor>(np, internal_np::visitor)),
       traits(choose<typename Types::Traits>(np, internal_np::geom_traits)),
-      construction(choose<typename Types::Star_construction>(np, internal_np::star_construction)),
-      visitor(internal::unwrap(m_stored_visitor)),
+      construction(choose<typename Types::Star_construction>(np, internal_np::star_construction)), visitor(m_visitor),
       progress(choose<std::function<bool(double)> >(np, internal_np::callback), visitor)
   { }
 

@@ -34,6 +34,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ struct Reconstruction_options
   std::size_t maximum_hole_size = (std::numeric_limits<std::size_t>::max)();
   bool keep_boundaries = false;
 };
+
+// Receives the triangles of a surface, as positions in the input.
+using Triangle_output = std::function<void(const std::array<std::size_t, 3>&)>;
 
 // The stages that the algorithms on stars share, from the points to the oriented surface. `share` is
 // the part of the run time that a stage is expected to take.
@@ -183,8 +187,7 @@ public:
     return unused;
   }
 
-  template <typename Output>
-  bool write_oriented(Builder& builder, const Output& output, double share)
+  bool write_oriented(Builder& builder, const Triangle_output& output, double share)
   {
     m_progress.begin_stage(Stage::ORIENTATION, share);
     Surface_orientation<Builder> orientation(m_cloud.positions(), builder);
