@@ -40,7 +40,8 @@ Delaunay tetrahedra that are labelled inside and outside. The labels keep the si
 follow the votes of the stars and the angles at which circumscribed spheres meet, and then the linear
 implicit function of the normals of the surface that they make; agreed stars that this surface contradicts
 are withdrawn, once. The remaining loops are closed, islands on which no star agrees are dissolved, flat sheets
-that face each other are joined, and points left over are inserted.
+that face each other are joined, and points left over are inserted. If all loops are closed, components nearer to each
+other than their points are joined where that bends the surface little.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse

@@ -33,6 +33,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -91,8 +92,8 @@ private:
   // In defects, which are what a bridge may cost: a sampled surface has few components.
   static constexpr double MAXIMUM_COST = 2.;
 
-  // Changes of labels that may be tried.
-  static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 64;
+  // Changes of labels that may be tried: enough for a few bridges, and some for every point of many components.
+  static constexpr std::size_t SEARCH_EFFORT = 50000, SEARCH_EFFORT_PER_POINT = 4;
 
   // Bridges are found anew after each.
   static constexpr std::size_t MAXIMUM_ROUNDS = 4;
@@ -106,7 +107,7 @@ private:
   {
     Ends ends;
     std::vector<Cell_index> cells;
-    double cost; // in defects
+    double cost; // in defects; infinite if it has not been tried
   };
 
   template <typename Progress>
@@ -180,19 +181,28 @@ private:
     Label_search<Oriented_labelling> search(
       cells, m_points, labelling, is_free, is_free, [](auto...) { return false; }, [](auto) { return true; },
       cancellation_point);
-    std::size_t effort = SEARCH_EFFORT_PER_POINT * cells.points().size();
+    std::size_t effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * cells.points().size();
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       std::vector<Bridge> bridges = find_bridges(cells, labelling, cancellation_point);
       for (Bridge& bridge : bridges)
-        bridge.cost = search.cost_together(bridge.cells, effort, cancellation_point);
+        if (effort != 0)
+          bridge.cost = search.cost_together(bridge.cells, effort, cancellation_point);
       std::stable_sort(bridges.begin(), bridges.end(),
                        [](const Bridge& a, const Bridge& b) { return a.cost < b.cost; });
       Parity_union_find joined(m_points.size());
       bool is_changed = false;
       for (const Bridge& bridge : bridges) {
         const Point_index first = joined.find(bridge.ends[0]).root, second = joined.find(bridge.ends[1]).root;
-        if (effort == 0 || first == second ||
-            !(search.cost_together(bridge.cells, effort, cancellation_point) < MAXIMUM_COST))
+        if (!(bridge.cost < MAXIMUM_COST))
+          break;
+        if (first == second)
+          continue;
+        // Others may have changed what it costs; the change needs as much effort as the trial.
+        const std::size_t before = effort;
+        const double cost = search.cost_together(bridge.cells, effort, cancellation_point);
+        if (effort < before - effort)
+          break;
+        if (!(cost < MAXIMUM_COST))
           continue;
         search.change_together(bridge.cells, effort, cancellation_point);
         joined.unite(first, second, false);
@@ -217,7 +227,7 @@ private:
       cancellation_point();
       if (ends[c] == NO_ENDS)
         continue;
-      result.push_back(Bridge{ ends[c], { c }, 0. });
+      result.push_back(Bridge{ ends[c], { c }, std::numeric_limits<double>::infinity() });
       ends[c] = NO_ENDS;
       Bridge& bridge = result.back();
       for (std::size_t k = 0; k != bridge.cells.size(); ++k)

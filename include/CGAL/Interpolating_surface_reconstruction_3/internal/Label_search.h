@@ -233,6 +233,7 @@ private:
     double cost = 0., defect = 0.;
     for (Cell_index c : cells)
       if (m_chains.is_free(c)) {
+        cancellation_point();
         cost += m_chains.cost_of_change(c);
         defect = (std::max)(defect, m_chains.energy().cost_of_defect(c));
         changes.push_back(Change{ c, m_chains.energy().change(c) });
