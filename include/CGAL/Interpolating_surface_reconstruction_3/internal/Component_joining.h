@@ -62,11 +62,15 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      find_triangles(progress);
-      Component_contacts contacts(m_points, m_triangles);
+      Triangles triangles;
+      m_builder.for_each_triangle([&](const Triangle& t, auto) { triangles.push_back(t); });
+      Component_contacts contacts(m_points, triangles);
       if (contacts.size() < 2)
         return false;
       contacts.find(m_octree, cancellation_point);
+      if (contacts.near().empty())
+        return false;
+      orient_triangles(progress);
       find_free_points(contacts);
       for (const std::vector<Point_index>& group : contacts.groups())
         if (group.size() <= MAXIMUM_POINTS)
@@ -111,7 +115,7 @@ private:
   };
 
   template <typename Progress>
-  void find_triangles(Progress& progress)
+  void orient_triangles(Progress& progress)
   {
     Surface_orientation<Builder> orientation(m_points, m_builder);
     orientation.face_outward([&] { return progress.advance(0.); });
