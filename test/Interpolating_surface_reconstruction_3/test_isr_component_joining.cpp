@@ -19,17 +19,16 @@ using isr_internal::Point_octree_3;
 
 namespace {
 
-// Two closed cylinders on one axis, of circles of n points, with or without points in the middle of their ends.
-Points cylinders(std::size_t n, double gap, bool has_centers)
+// Two closed cylinders on one axis, of circles of n points, with or without smaller circles on their ends.
+Points cylinders(std::size_t n, double height, double gap, bool has_inner_points)
 {
-  constexpr double HEIGHT = .7;
   Points points;
-  for (double low : { 0., HEIGHT + gap }) {
-    for (const Point& p : wall(n, HEIGHT).points)
+  for (double low : { 0., height + gap }) {
+    for (const Point& p : wall(n, height).points)
       points.push_back(p + Vector(0, 0, low));
-    for (double z : { low, low + HEIGHT })
-      if (has_centers)
-        points.emplace_back(0, 0, z);
+    for (double z : { low, low + height })
+      for (std::size_t i = 0; has_inner_points && i != n; ++i)
+        points.push_back(on_circle(2. * PI * (double(i) + .5) / double(n), .5, z));
   }
   return points;
 }
@@ -60,12 +59,17 @@ Triples surfaces_of_halves(const Hand_surface& s)
   return triples;
 }
 
-std::size_t number_of_components(const Hand_surface& s, const Triples& triples)
+std::vector<std::array<Point_index, 3> > triangles_of(const Hand_surface& s, const Triples& triples)
 {
   std::vector<std::array<Point_index, 3> > triangles;
   for (const Triple& t : triples)
     triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
-  return Component_contacts(s.cloud.positions(), triangles).size();
+  return triangles;
+}
+
+std::size_t number_of_components(const Hand_surface& s, const Triples& triples)
+{
+  return Component_contacts(s.cloud.positions(), triangles_of(s, triples)).size();
 }
 
 bool join_components(Hand_surface& s)
@@ -76,9 +80,9 @@ bool join_components(Hand_surface& s)
 }
 
 // Whether the cylinders become one component.
-bool are_joined(double gap, bool has_centers)
+bool are_joined(double height, double gap, bool has_inner_points)
 {
-  const Points points = cylinders(9, gap, has_centers);
+  const Points points = cylinders(9, height, gap, has_inner_points);
   Hand_surface s(points);
   const Triples before = surfaces_of_halves(s);
   ISR_CHECK(s.add(before));
@@ -99,11 +103,11 @@ bool are_joined(double gap, bool has_centers)
 void test_cylinders()
 {
   begin_case("nearer than their points");
-  ISR_CHECK(are_joined(.5, false));
+  ISR_CHECK(are_joined(.7, .5, false));
   begin_case("with ends that have points");
-  ISR_CHECK(!are_joined(.5, true));
+  ISR_CHECK(!are_joined(.7, .3, true));
   begin_case("farther than their points");
-  ISR_CHECK(!are_joined(2.5, false));
+  ISR_CHECK(!are_joined(.7, 2.5, false));
 }
 
 void test_contacts()
@@ -114,10 +118,7 @@ void test_contacts()
   append(mesh, globe(5, 7, Point(9, 0, 0), .5));
   mesh.points.emplace_back(20, 0, 0);
   const Hand_surface s(mesh.points);
-  std::vector<std::array<Point_index, 3> > triangles;
-  for (const Triple& t : mesh.triples)
-    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
-  Component_contacts contacts(s.cloud.positions(), triangles);
+  Component_contacts contacts(s.cloud.positions(), triangles_of(s, mesh.triples));
   ISR_CHECK_EQUAL(contacts.size(), 3u);
   ISR_CHECK(!contacts.is_on_surface(s.indices.back()));
   isr_internal::No_cancellation never;

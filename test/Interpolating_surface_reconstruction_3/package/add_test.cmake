@@ -28,6 +28,6 @@ if(UNIX)
     COMMAND ${CMAKE_CURRENT_LIST_DIR}/check_tidy.sh
       -idirafter ${CGAL_ISR_CGAL_INCLUDE_DIR} -idirafter ${CGAL_ISR_EIGEN_INCLUDE_DIR})
   # seconds, see the tests
-  set_tests_properties(isr_headers PROPERTIES COST 130)
+  set_tests_properties(isr_headers PROPERTIES COST 190)
   set_tests_properties(isr_tidy PROPERTIES COST 50)
 endif()

@@ -27,6 +27,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_rings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
@@ -71,7 +72,7 @@ public:
       if (contacts.near().empty())
         return false;
       orient_triangles(progress);
-      find_free_points(contacts);
+      m_is_free = mark_rings(m_builder, contacts.near(), FREE_RINGS, cancellation_point);
       for (const std::vector<Point_index>& group : contacts.groups())
         if (group.size() <= MAXIMUM_POINTS)
           is_changed = join(group, progress, cancellation_point) || is_changed;
@@ -121,24 +122,6 @@ private:
     orientation.face_outward([&] { return progress.advance(0.); });
     m_triangles.clear();
     orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
-  }
-
-  void find_free_points(const Component_contacts& contacts)
-  {
-    m_is_free.assign(m_points.size(), 0);
-    std::vector<Point_index> free = contacts.near();
-    for (Point_index p : free)
-      m_is_free[p] = 1;
-    std::size_t begin = 0;
-    for (int ring = 0; ring != FREE_RINGS; ++ring)
-      for (const std::size_t end = free.size(); begin != end; ++begin)
-        m_builder.for_each_triangle_at(free[begin], [&](const Triangle& t) {
-          for (Point_index p : t)
-            if (!m_is_free[p]) {
-              m_is_free[p] = 1;
-              free.push_back(p);
-            }
-        });
   }
 
   // Joins components of all these points, if no point is left out. Returns whether there are fewer then.
@@ -199,16 +182,10 @@ private:
         const Point_index first = joined.find(bridge.ends[0]).root, second = joined.find(bridge.ends[1]).root;
         if (!(bridge.cost < MAXIMUM_COST))
           break;
-        if (first == second)
+        // Others may have changed what it costs.
+        if (first == second || effort == 0 ||
+            !search.change_together(bridge.cells, MAXIMUM_COST, effort, cancellation_point))
           continue;
-        // Others may have changed what it costs; the change needs as much effort as the trial.
-        const std::size_t before = effort;
-        const double cost = search.cost_together(bridge.cells, effort, cancellation_point);
-        if (effort < before - effort)
-          break;
-        if (!(cost < MAXIMUM_COST))
-          continue;
-        search.change_together(bridge.cells, effort, cancellation_point);
         joined.unite(first, second, false);
         is_changed = true;
       }

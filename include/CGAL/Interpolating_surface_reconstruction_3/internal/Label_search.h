@@ -88,13 +88,16 @@ public:
     return result;
   }
 
-  // The same, but what was changed stays so.
+  // The same, but if it costs less than the maximum, what was changed stays so; returns whether it does.
   template <typename Cancellation_point>
-  void change_together(const std::vector<Cell_index>& cells, std::size_t& effort,
+  bool change_together(const std::vector<Cell_index>& cells, double maximum_cost, std::size_t& effort,
                        Cancellation_point&& cancellation_point)
   {
     Changes changes;
-    change_together(cells, effort, changes, cancellation_point);
+    const bool is_cheap = change_together(cells, effort, changes, cancellation_point) < maximum_cost;
+    if (!is_cheap)
+      m_chains.take_back(changes, 0);
+    return is_cheap;
   }
 
 private:

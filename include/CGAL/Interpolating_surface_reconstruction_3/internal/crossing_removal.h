@@ -27,6 +27,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_rings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
@@ -135,25 +136,10 @@ private:
   template <typename CancellationPoint>
   void find_doubts(CancellationPoint& cancellation_point)
   {
-    m_is_in_doubt.assign(m_points.size(), 0);
-    std::vector<Point_index> doubts;
-    const auto doubt = [&](Point_index p) {
-      if (!m_is_in_doubt[p]) {
-        m_is_in_doubt[p] = 1;
-        doubts.push_back(p);
-      }
-    };
+    std::vector<Point_index> points;
     for (const Crossing& crossing : m_crossings)
-      doubt(crossing.first);
-    std::size_t begin = 0;
-    for (int ring = 0; ring != RINGS_IN_DOUBT; ++ring)
-      for (const std::size_t end = doubts.size(); begin != end; ++begin) {
-        cancellation_point();
-        m_builder.for_each_triangle_at(doubts[begin], [&](const Triangle& t) {
-          for (Point_index p : t)
-            doubt(p);
-        });
-      }
+      points.push_back(crossing.first);
+    m_is_in_doubt = mark_rings(m_builder, points, RINGS_IN_DOUBT, cancellation_point);
   }
 
   // The points of the component around p and of those that cross it; false if that has been done.
