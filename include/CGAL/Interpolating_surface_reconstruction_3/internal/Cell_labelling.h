@@ -113,6 +113,8 @@ public:
     }
   }
 
+  static constexpr bool may_gain(Cell_index) { return true; }
+
   // What is won if the cell changes its label.
   double gain(Cell_index c) const
   {

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -87,6 +88,13 @@ public:
   // Negative if the cell wants to be inside, in units of area.
   double outside_preference(Cell_index c, double total_area) const { return double(m_values[c]) * total_area; }
 
+  // Whether a change of its label may win anything. Facets all around a cell do not, if the function does not ask for
+  // them: their area vectors add up to zero, so that the mean normals of their vertices gain a third of the area at most.
+  bool may_gain(Cell_index c) const
+  {
+    return label(c) != wants_inside(c) || is_surface(c, 0) || is_surface(c, 1) || is_surface(c, 2) || is_surface(c, 3);
+  }
+
   // By what the energy falls if the cell changes its label. Infinite cells stay outside.
   double gain(Cell_index c) const
   {
@@ -122,6 +130,14 @@ public:
   {
     const Facet_energy energy = facet_energy(c, i);
     return energy.if_inside > (AREA_SHARE - cosine) * energy.area;
+  }
+
+  // Of the angles between the normals of the vertices of facet i.
+  double smallest_cosine_of_vertices(Cell_index c, std::size_t i) const
+  {
+    const auto f = Cell_complex::facet(m_cells[c], i);
+    return (std::min)(
+      { m_normals[f[0]] * m_normals[f[1]], m_normals[f[1]] * m_normals[f[2]], m_normals[f[2]] * m_normals[f[0]] });
   }
 
 private:

@@ -41,6 +41,8 @@ public:
     : m_cells(cells), m_positions(positions), m_labelling(labelling)
   { }
 
+  static constexpr bool may_gain(Cell_index) { return true; }
+
   // By which share the square of the larger circle of the cell becomes smaller; 0 if its label had better stay.
   double gain(Cell_index c) const
   {

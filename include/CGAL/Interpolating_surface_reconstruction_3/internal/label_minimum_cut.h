@@ -31,9 +31,9 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Changes the labels of many cells together where the surface faces against the normals of its
-// vertices: where sheets are closer than the spacing, the averaged normals at a crease may label a
-// passage between them inside, and no single cell opens it. The labels of the cells around such facets
-// that have the least energy are a minimum cut. The values of the function are what is wrong there, so
+// vertices, and these differ from each other: where sheets are closer than the spacing, the averaged normals at a
+// crease may label a passage between them inside, and no single cell opens it. The labels of the cells around such
+// facets that have the least energy are a minimum cut. The values of the function are what is wrong there, so
 // that they count little.
 class Label_minimum_cut
 {
@@ -67,9 +67,13 @@ private:
   // Between a facet and its vertices. At the corner of a cube it is 1 / sqrt(3).
   static constexpr double SMALLEST_COSINE = .1;
 
+  // Between the normals of a facet across a passage. Where they are more alike, as on a single noisy sheet, a cut would
+  // do no more than to cut off small parts.
+  static constexpr double LARGEST_COSINE_OF_VERTICES = .7;
+
   static constexpr double VALUE_SHARE = .1;
 
-  // The finite cells around facets that face against the normals.
+  // The finite cells around facets across passages.
   template <typename Cancellation_point>
   std::vector<Cell_index> find_cells(Cancellation_point& cancellation_point)
   {
@@ -83,8 +87,7 @@ private:
     for (Cell_index c = 0; c != m_cells.size(); ++c) {
       cancellation_point();
       for (std::size_t i = 0; i != 4; ++i)
-        if (m_labelling.label(c) && m_labelling.is_surface(c, i) &&
-            m_labelling.faces_by_less_than(SMALLEST_COSINE, c, i)) {
+        if (m_labelling.label(c) && m_labelling.is_surface(c, i) && is_across_passage(c, i)) {
           add(c);
           add(m_cells[c].neighbors[i]);
         }
@@ -97,6 +100,12 @@ private:
           add(n);
     }
     return result;
+  }
+
+  bool is_across_passage(Cell_index c, std::size_t i) const
+  {
+    return m_labelling.smallest_cosine_of_vertices(c, i) < LARGEST_COSINE_OF_VERTICES &&
+           m_labelling.faces_by_less_than(SMALLEST_COSINE, c, i);
   }
 
   // The connected cells get numbers as nodes, in the order in which they and their vertices are in memory.

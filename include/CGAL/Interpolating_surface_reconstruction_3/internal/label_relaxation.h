@@ -53,7 +53,8 @@ std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, La
   };
   for (Cell_index c = 0; c != cells.size(); ++c) {
     cancellation_point();
-    push(c);
+    if (labelling.may_gain(c))
+      push(c);
   }
   while (!queue.empty()) {
     cancellation_point();
