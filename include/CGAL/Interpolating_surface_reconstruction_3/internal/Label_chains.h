@@ -283,7 +283,7 @@ private:
   std::uint32_t m_chain = 0;
   std::vector<std::uint32_t> m_waking_of, m_last_wakings; // of each cell and of each vertex: the last one
   std::uint32_t m_waking = 0, m_first_waking = 0;         // now, and when the list of woken cells began
-  Changes m_links; // of the current chain
+  Changes m_links;                                        // of the current chain
   std::vector<Link> m_candidates;
 };
 
