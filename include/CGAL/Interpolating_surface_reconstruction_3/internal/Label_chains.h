@@ -220,13 +220,16 @@ private:
       return 0.;
     std::size_t best = 0;
     for (Cell_index c = seed; cost <= MAXIMUM_LOSS * scale; c = take_best_candidate(cost)) {
-      add_link(c);
+      m_links.push_back(Change{ c, m_energy.change(c) });
       if (cost < least) {
         least = cost;
         best = m_links.size();
       }
       const bool is_after_best = best != 0 && m_links.size() >= best + LINKS_AFTER_BEST;
-      if (m_candidates.empty() || m_links.size() == maximum_length || is_after_best)
+      if (m_links.size() == maximum_length || is_after_best)
+        break;
+      find_candidates_after(c);
+      if (m_candidates.empty())
         break;
     }
     if (best == 0)
@@ -238,10 +241,9 @@ private:
     return m_links.empty() ? 0. : least;
   }
 
-  // Changes the cell; its neighbors become candidates.
-  void add_link(Cell_index c)
+  // The neighbors of the cell that has changed last become candidates, and what others cost changes.
+  void find_candidates_after(Cell_index c)
   {
-    m_links.push_back(Change{ c, m_energy.change(c) });
     m_chain_of[c] = m_chain;
     for (Link& candidate : m_candidates)
       if (share_edge(candidate.cell, c))

@@ -158,10 +158,20 @@ protected:
     m_touched.clear();
     for (Cell_index c : cells)
       for (Point_index p : m_cells[c].vertices)
-        if (p != NO_POINT && m_is_counted[position_of(p)] != 0)
-          m_touched.push_back(position_of(p));
+        if (p != NO_POINT)
+          touch(position_of(p));
     std::sort(m_touched.begin(), m_touched.end());
-    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+    for (std::size_t v : m_touched)
+      m_is_counted[v] = 1;
+  }
+
+  // Many cells share a vertex: it counts as seen until all of them have been looked at.
+  void touch(std::size_t v)
+  {
+    if (m_is_counted[v] == 0)
+      return;
+    m_is_counted[v] = 0;
+    m_touched.push_back(v);
   }
 
   // Counts the defects at the vertices of cells that have changed; returns by how many there are more.
