@@ -3,6 +3,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ using namespace isr_test;
 using isr_internal::Cell_complex;
 using isr_internal::Component_contacts;
 using isr_internal::Component_joining;
+using isr_internal::Kept_triangulation;
 using isr_internal::Point_octree_3;
 
 namespace {
@@ -75,8 +77,9 @@ std::size_t number_of_components(const Hand_surface& s, const Triples& triples)
 bool join_components(Hand_surface& s)
 {
   const Point_octree_3 octree(s.cloud.positions());
-  return Component_joining<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), octree,
-                                                                        s.builder)(no_progress);
+  Kept_triangulation triangulation(s.cloud.positions());
+  return Component_joining<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), octree, s.builder,
+                                                                        triangulation)(no_progress);
 }
 
 // Whether the cylinders become one component.

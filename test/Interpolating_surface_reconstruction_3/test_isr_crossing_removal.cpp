@@ -2,6 +2,7 @@
 #include "isr_test_self_intersections.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
@@ -14,6 +15,7 @@
 using namespace isr_test;
 using isr_internal::Cell_complex;
 using isr_internal::Crossing_removal;
+using isr_internal::Kept_triangulation;
 using isr_internal::Surface_crossings;
 using isr_internal::Surface_sides;
 using Builder = Hand_surface::Builder;
@@ -109,7 +111,8 @@ bool remove_crossings(Hand_surface& s, std::size_t first = 0, const std::vector<
   for (std::size_t p : unclosed)
     points.push_back(s.indices[p]);
   std::sort(points.begin(), points.end());
-  return Crossing_removal<CGAL::Sequential_tag, Builder>(s.cloud.positions(), {}, s.builder)(
+  Kept_triangulation triangulation(s.cloud.positions());
+  return Crossing_removal<CGAL::Sequential_tag, Builder>(s.cloud.positions(), {}, s.builder, triangulation)(
     static_cast<Builder::Triangle_index>(first), points, no_progress);
 }
 
@@ -294,6 +297,43 @@ void test_sides()
   ISR_CHECK_EQUAL(std::count(is_in_doubt.begin(), is_in_doubt.end(), 1), 4);
 }
 
+bool are_equal(const Cell_complex& a, const Cell_complex& b)
+{
+  bool result = a.size() == b.size() && a.points() == b.points();
+  for (std::size_t c = 0; result && c != a.size(); ++c)
+    result = a[c].vertices == b[c].vertices && a[c].neighbors == b[c].neighbors;
+  return result;
+}
+
+// The cells of cospherical points must not depend on what was triangulated before, either.
+void test_kept_triangulation()
+{
+  begin_case("kept triangulation");
+  constexpr std::size_t N = 5;
+  Points points;
+  for (std::size_t k = 0; k != N * N * N; ++k)
+    points.emplace_back(double(k % N), double(k / N % N), double(k / N / N));
+  const std::vector<isr_internal::Local_point> positions = local_points(points);
+  isr_internal::No_cancellation never;
+  Kept_triangulation triangulation(positions);
+  const auto check = [&](const auto& is_wanted) {
+    std::vector<Point_index> wanted;
+    for (Point_index p = 0; p != positions.size(); ++p)
+      if (is_wanted(p))
+        wanted.push_back(p);
+    const Cell_complex cells = triangulation(wanted, never);
+    ISR_CHECK(are_equal(cells, Cell_complex(positions, wanted, never)));
+    return cells.size() != 0;
+  };
+  ISR_CHECK(check([](Point_index p) { return p % 3 != 0; }));
+  ISR_CHECK(check([](Point_index p) { return p % 3 != 0 || p % 2 == 0; })); // grows
+  ISR_CHECK(check([](Point_index p) { return p % 5 == 0 || p % 7 == 0; })); // fewer
+  ISR_CHECK(check([](Point_index p) { return p % 3 != 0 || p % 2 == 0; })); // the same
+  ISR_CHECK(check([](Point_index p) { return p % 11 != 0; }));              // more, but not those
+  ISR_CHECK(!check([](Point_index p) { return p < Point_index(N * N); }));  // in a plane
+  ISR_CHECK(check([](Point_index) { return true; }));
+}
+
 } // namespace
 
 int main()
@@ -304,5 +344,6 @@ int main()
   test_left_alone();
   test_unclosed_loops();
   test_sides();
+  test_kept_triangulation();
   return result();
 }

@@ -51,16 +51,20 @@ public:
       m_places(cells.size(), { { Place(), Place(), Place(), Place(), Place(), Place() } })
   { }
 
-  // By how much the energy of edge e of the finite cell grows if the cell changes its label. No end of the edge has more
-  // than 256 cells, so that positions around it take one byte.
-  double cost_of_change(Cell_index c, std::size_t e)
+  // Whether an edge is on the surface, and by how much its energy grows if a cell changes its label.
+  struct Change
+  {
+    bool is_on_surface;
+    double cost;
+  };
+
+  // Of edge e of the finite cell. No end of the edge has more than 256 cells, so that positions around it take one byte.
+  Change change(Cell_index c, std::size_t e)
   {
     const Place place = find(c, e);
     const Edge& edge = m_edges[place.edge];
-    return energy(edge, facets(edge, place.position)) - edge.energy;
+    return Change{ edge.facets != 0, energy(edge, facets(edge, place.position)) - edge.energy };
   }
-
-  bool is_on_surface(Cell_index c, std::size_t e) { return m_edges[find(c, e).edge].facets != 0; }
 
   // The angle by which the surface bends at the edge: 0 where it is flat, a half turn where it is no surface.
   double bending(Cell_index c, std::size_t e)

@@ -73,8 +73,9 @@ public:
     double result = 0.;
     for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e) {
       const std::size_t i = Edges::ENDS[e][0], j = Edges::ENDS[e][1];
-      result += m_edges.cost_of_change(c, e);
-      m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = m_edges.is_on_surface(c, e);
+      const typename Edges::Change change = m_edges.change(c, e);
+      result += change.cost;
+      m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = change.is_on_surface;
     }
     for (std::size_t i = 0; i != 4; ++i) {
       m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
@@ -52,8 +53,9 @@ class Component_joining
 public:
   using Triangle = typename Builder::Triangle;
 
-  Component_joining(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder)
-    : m_points(points), m_octree(octree), m_builder(builder)
+  Component_joining(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder,
+                    Kept_triangulation& triangulation)
+    : m_points(points), m_octree(octree), m_builder(builder), m_triangulation(triangulation)
   { }
 
   // For a closed surface. Returns whether it has changed; ends early if cancelled.
@@ -128,7 +130,7 @@ private:
   template <typename Progress, typename CancellationPoint>
   bool join(const std::vector<Point_index>& group, Progress& progress, CancellationPoint& cancellation_point)
   {
-    const Cell_complex cells(m_points, group, cancellation_point);
+    const Cell_complex cells = m_triangulation(group, cancellation_point);
     if (cells.size() == 0)
       return false;
     Triangles old;
@@ -243,6 +245,7 @@ private:
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   Builder& m_builder;
+  Kept_triangulation& m_triangulation;
   Triangles m_triangles;                // of the surface as it was, oriented
   std::vector<unsigned char> m_is_free; // of each point
 };

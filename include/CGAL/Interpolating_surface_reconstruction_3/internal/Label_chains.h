@@ -62,7 +62,7 @@ public:
     : m_cells(cells), m_labelling(labelling),
       m_energy(cells, points, labelling, is_agreed, is_in_scope, cancellation_point),
       m_has_small_part(cells, labelling, m_energy.stars()), m_state(cells.size(), State::FIXED),
-      m_chain_of(cells.size(), 0)
+      m_chain_of(cells.size(), 0), m_waking_of(cells.size(), 0), m_last_wakings(cells.points().size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
@@ -99,7 +99,7 @@ public:
   // Whether one of the components of the surface at the cells is small.
   bool is_small_part_at(const std::vector<Cell_index>& cells) { return m_has_small_part(cells); }
 
-  // Follows chains from the cells that are awake and at the surface, the best first, and then from those around
+  // Follows chains from the distinct cells that are awake and at the surface, the best first, and then from those around
   // their changes, again and again. What has been changed is added to `changes`. Returns by how much the energy has
   // grown.
   template <typename Cancellation_point>
@@ -109,7 +109,6 @@ public:
     double result = 0.;
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS && !starts.empty() && m_effort != 0; ++round) {
       std::sort(starts.begin(), starts.end());
-      starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
       const std::vector<Link> seeds = find_seeds(starts, cancellation_point);
       starts.clear();
       for (const Link& seed : seeds) {
@@ -118,23 +117,27 @@ public:
           continue;
         result += follow_chain(seed.cell, maximum_length);
         changes.insert(changes.end(), m_links.begin(), m_links.end());
-        for (const Change& link : m_links)
-          wake_around(link.cell, starts);
+        wake_around(m_links, starts);
       }
     }
     return result;
   }
 
-  // Wakes the free cells at the vertices of the cell and adds them to `woken`.
-  void wake_around(Cell_index c, std::vector<Cell_index>& woken)
+  // Wakes the free cells at the vertices of changed cells and adds them to `woken`, unless they have been added since
+  // that was empty.
+  void wake_around(const Changes& changes, std::vector<Cell_index>& woken)
   {
-    for (Point_index p : m_cells[c].vertices)
-      m_energy.stars().for_each_cell(m_cells.position(p), [&](Cell_index n) {
-        if (is_free(n)) {
-          m_state[n] = State::AWAKE;
-          woken.push_back(n);
-        }
-      });
+    ++m_waking;
+    if (woken.empty())
+      m_first_waking = m_waking;
+    for (const Change& change : changes)
+      for (Point_index p : m_cells[change.cell].vertices) {
+        const std::size_t v = m_cells.position(p);
+        if (m_last_wakings[v] == m_waking)
+          continue;
+        m_last_wakings[v] = m_waking;
+        m_energy.stars().for_each_cell(v, [&](Cell_index c) { wake(c, woken); });
+      }
   }
 
   // Takes back the changes from the given one on; none came after them.
@@ -175,6 +178,16 @@ private:
     bool operator<(const Link& other) const { return cost < other.cost || (cost == other.cost && cell < other.cell); }
   };
 
+  void wake(Cell_index c, std::vector<Cell_index>& woken)
+  {
+    if (!is_free(c))
+      return;
+    m_state[c] = State::AWAKE;
+    if (m_waking_of[c] < m_first_waking)
+      woken.push_back(c);
+    m_waking_of[c] = m_waking;
+  }
+
   // The cells at the surface that are awake, the best first; others fall asleep.
   template <typename Cancellation_point>
   std::vector<Link> find_seeds(const std::vector<Cell_index>& starts, Cancellation_point& cancellation_point)
@@ -207,13 +220,16 @@ private:
       return 0.;
     std::size_t best = 0;
     for (Cell_index c = seed; cost <= MAXIMUM_LOSS * scale; c = take_best_candidate(cost)) {
-      add_link(c);
+      m_links.push_back(Change{ c, m_energy.change(c) });
       if (cost < least) {
         least = cost;
         best = m_links.size();
       }
       const bool is_after_best = best != 0 && m_links.size() >= best + LINKS_AFTER_BEST;
-      if (m_candidates.empty() || m_links.size() == maximum_length || is_after_best)
+      if (m_links.size() == maximum_length || is_after_best)
+        break;
+      find_candidates_after(c);
+      if (m_candidates.empty())
         break;
     }
     if (best == 0)
@@ -225,10 +241,9 @@ private:
     return m_links.empty() ? 0. : least;
   }
 
-  // Changes the cell; its neighbors become candidates.
-  void add_link(Cell_index c)
+  // The neighbors of the cell that has changed last become candidates, and what others cost changes.
+  void find_candidates_after(Cell_index c)
   {
-    m_links.push_back(Change{ c, m_energy.change(c) });
     m_chain_of[c] = m_chain;
     for (Link& candidate : m_candidates)
       if (share_edge(candidate.cell, c))
@@ -268,7 +283,9 @@ private:
   std::vector<State> m_state;            // of each cell
   std::vector<std::uint32_t> m_chain_of; // of each cell: the last chain that came to it
   std::uint32_t m_chain = 0;
-  Changes m_links; // of the current chain
+  std::vector<std::uint32_t> m_waking_of, m_last_wakings; // of each cell and of each vertex: the last one
+  std::uint32_t m_waking = 0, m_first_waking = 0;         // now, and when the list of woken cells began
+  Changes m_links;                                        // of the current chain
   std::vector<Link> m_candidates;
 };
 

@@ -87,19 +87,19 @@ protected:
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
-  std::size_t find_components(std::size_t v) { return m_stars.find_components(v); }
+  std::size_t count_components(std::size_t v) { return m_stars.count_components(v); }
 
   // How far the surface is from a manifold at the vertex: 0 if there is one component of each label.
   int count_defects(std::size_t v)
   {
-    const auto components = static_cast<int>(find_components(v));
+    const auto components = static_cast<int>(count_components(v));
     return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
   }
 
   // The cells of each component around vertex v.
   std::vector<std::vector<Cell_index> > components_at(std::size_t v)
   {
-    std::vector<std::vector<Cell_index> > components(find_components(v));
+    std::vector<std::vector<Cell_index> > components(m_stars.find_components(v));
     for (std::size_t k = 0; k != m_stars.size(); ++k)
       components[m_stars.component(k)].push_back(m_stars.cell(k));
     return components;
@@ -109,7 +109,7 @@ protected:
   // then single cells. Returns the number of components.
   std::size_t find_moves(std::size_t v)
   {
-    const std::size_t components = find_components(v);
+    const std::size_t components = m_stars.find_components(v);
     m_moves.clear();
     for (std::size_t i = 0; i != components; ++i)
       m_moves.add();
@@ -158,10 +158,20 @@ protected:
     m_touched.clear();
     for (Cell_index c : cells)
       for (Point_index p : m_cells[c].vertices)
-        if (p != NO_POINT && m_is_counted[position_of(p)] != 0)
-          m_touched.push_back(position_of(p));
+        if (p != NO_POINT)
+          touch(position_of(p));
     std::sort(m_touched.begin(), m_touched.end());
-    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+    for (std::size_t v : m_touched)
+      m_is_counted[v] = 1;
+  }
+
+  // Many cells share a vertex: it counts as seen until all of them have been looked at.
+  void touch(std::size_t v)
+  {
+    if (m_is_counted[v] == 0)
+      return;
+    m_is_counted[v] = 0;
+    m_touched.push_back(v);
   }
 
   // Counts the defects at the vertices of cells that have changed; returns by how many there are more.

@@ -174,8 +174,7 @@ private:
     Changes changes;
     double cost = change_at_random(c, changes);
     std::vector<Cell_index> starts;
-    for (const Change& change : changes)
-      m_chains.wake_around(change.cell, starts);
+    m_chains.wake_around(changes, starts);
     cost += m_chains.follow(std::move(starts), MAXIMUM_CHAIN, changes, cancellation_point);
     find_changed(changes, changed);
     if (cost < -ROUNDING * scale && !changed.empty() && !m_chains.is_small_part_at(changed))
@@ -242,8 +241,7 @@ private:
         changes.push_back(Change{ c, m_chains.energy().change(c) });
       }
     std::vector<Cell_index> starts;
-    for (const Change& change : changes)
-      m_chains.wake_around(change.cell, starts);
+    m_chains.wake_around(changes, starts);
     cost += m_chains.follow(std::move(starts), MAXIMUM_CHAIN, changes, cancellation_point);
     effort = m_chains.effort();
     return defect > 0. ? cost / defect : std::numeric_limits<double>::infinity();

@@ -92,7 +92,7 @@ private:
   {
     const std::size_t v = m_cells.position(t[0]);
     for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
-      if (m_triangles[k] == t)
+      if (m_triangles[k][1] == t[1] && m_triangles[k][2] == t[2])
         return k;
     return NO_TRIANGLE;
   }

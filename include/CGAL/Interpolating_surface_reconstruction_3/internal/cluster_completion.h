@@ -86,11 +86,16 @@ public:
     Completed_cluster result;
     // Half of the kicks are for the second surface.
     Search_effort effort{ maximum_effort.all, maximum_effort.of_kicks / 2 };
-    Cell_complex cells = triangulate_with_surface(cancellation_point);
+    Site_triangulation triangulation(m_points);
+    triangulate_with_surface(triangulation, cancellation_point);
+    Cell_complex cells(triangulation, m_sites, cancellation_point);
     // Once: stars that contradict the second surface would go on to spread.
     if (cells.size() != 0 && !find_surface_or_withdraw(cells, true, effort, result.surface, cancellation_point)) {
-      cells = Cell_complex();
-      cells = Cell_complex(m_points, m_sites, cancellation_point);
+      if (cells.points().size() != m_sites.size()) {
+        insert_sites_from(cells.points().size(), triangulation, cancellation_point);
+        cells = Cell_complex();
+        cells = Cell_complex(triangulation, m_sites, cancellation_point);
+      }
       effort.of_kicks += maximum_effort.of_kicks / 2;
       if (cells.size() != 0)
         find_surface_or_withdraw(cells, false, effort, result.surface, cancellation_point);
@@ -198,19 +203,22 @@ private:
 
   // Without the agreed triangles at conflicts that are no facets.
   template <typename CancellationPoint>
-  Cell_complex triangulate_with_surface(CancellationPoint& cancellation_point)
+  void triangulate_with_surface(Site_triangulation& triangulation, CancellationPoint& cancellation_point)
   {
-    Site_triangulation triangulation(m_points);
-    std::sort(m_sites.begin(), m_sites.end());
-    triangulation.insert(m_sites, cancellation_point);
+    insert_sites_from(0, triangulation, cancellation_point);
     const std::size_t old_sites = m_sites.size();
     if (triangulation.is_usable())
       // Once: the few triangles around the points that join then hardly matter.
       withdraw_triangles_without_facet(triangulation, cancellation_point);
-    std::vector<Point_index> new_sites(m_sites.begin() + std::ptrdiff_t(old_sites), m_sites.end());
-    std::sort(new_sites.begin(), new_sites.end());
-    triangulation.insert(new_sites, cancellation_point);
-    return Cell_complex(triangulation, m_sites, cancellation_point);
+    insert_sites_from(old_sites, triangulation, cancellation_point);
+  }
+
+  template <typename CancellationPoint>
+  void insert_sites_from(std::size_t first, Site_triangulation& triangulation, CancellationPoint& cancellation_point)
+  {
+    std::sort(m_sites.begin() + std::ptrdiff_t(first), m_sites.end());
+    triangulation.insert(std::vector<Point_index>(m_sites.begin() + std::ptrdiff_t(first), m_sites.end()),
+                         cancellation_point);
   }
 
   // The surface of the labelling consists of facets. An agreed triangle at a conflict that is no

@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
@@ -52,8 +53,9 @@ public:
   using Triangle = typename Builder::Triangle;
 
   // `normals` of the points orient the components, or none, which then face outward.
-  Crossing_removal(const std::vector<Local_point>& points, const std::vector<Local_vector>& normals, Builder& builder)
-    : m_points(points), m_given_normals(normals), m_builder(builder)
+  Crossing_removal(const std::vector<Local_point>& points, const std::vector<Local_vector>& normals, Builder& builder,
+                   Kept_triangulation& triangulation)
+    : m_points(points), m_given_normals(normals), m_builder(builder), m_triangulation(triangulation)
   { }
 
   // Only triangles stored from `first` on may cross others; the increasing points `unclosed` are on holes that could
@@ -185,7 +187,7 @@ private:
   template <typename Progress, typename CancellationPoint>
   Triangles reconstruct(Progress& progress, CancellationPoint& cancellation_point)
   {
-    const Cell_complex cells(m_points, m_component, cancellation_point);
+    const Cell_complex cells = m_triangulation(m_component, cancellation_point);
     if (cells.size() == 0)
       return Triangles();
     Triangles old;
@@ -253,6 +255,7 @@ private:
   const std::vector<Local_point>& m_points;
   const std::vector<Local_vector>& m_given_normals;
   Builder& m_builder;
+  Kept_triangulation& m_triangulation;
   std::vector<Crossing> m_crossings; // from either side, sorted
   Triangles m_triangles;             // of the surface as it was, oriented
   Triangles m_kept;                  // by replacements since then, sorted, with increasing vertices

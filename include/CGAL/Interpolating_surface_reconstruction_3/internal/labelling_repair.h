@@ -41,8 +41,8 @@ class Labelling_repair : private Label_defects<Labelling>
   using Base = Label_defects<Labelling>;
   using Base::change_by_one_cell;
   using Base::components_at;
+  using Base::count_components;
   using Base::count_defects;
-  using Base::find_components;
   using Base::find_moves;
   using Base::find_touched;
   using Base::flip;
@@ -123,7 +123,7 @@ public:
       const std::size_t v = todo.back();
       todo.pop_back();
       cancellation_point(MICROSECONDS_PER_MOVE);
-      if (find_components(v) <= 2)
+      if (count_components(v) <= 2)
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
       flip(component_to_change(v, changes[v]));
@@ -144,7 +144,7 @@ public:
       std::vector<std::size_t> todo;
       for (std::size_t v = m_defects.size(); v-- != 0;)
         if (m_defects[v] != 0) {
-          if (find_components(v) > 2)
+          if (count_components(v) > 2)
             todo.push_back(v);
           else if (may_leave_out)
             m_defects[v] = 0;
@@ -153,7 +153,7 @@ public:
       while (!todo.empty()) {
         const std::size_t v = todo.back();
         todo.pop_back();
-        if (m_defects[v] == 0 || find_components(v) <= 2 || !untangle_at(v, cancellation_point))
+        if (m_defects[v] == 0 || count_components(v) <= 2 || !untangle_at(v, cancellation_point))
           continue;
         todo.push_back(v);
         for (std::size_t w : m_touched)
@@ -352,7 +352,7 @@ private:
 
   // The finite cells of a component around v, which has been changed some times: at first of that whose change wins
   // most, or loses least, then of the next best, lest neighboring points go on to undo what they did; in the end
-  // only of the best with label 0. find_components() has found more than two of them.
+  // only of the best with label 0. count_components() has counted more than two of them.
   const std::vector<Cell_index>& component_to_change(std::size_t v, unsigned char changes)
   {
     const bool is_filling = changes == FREE_CHANGES;

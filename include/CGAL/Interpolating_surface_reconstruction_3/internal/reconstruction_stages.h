@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
@@ -157,9 +158,11 @@ public:
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
-    unused = remove_crossings(first_late, std::move(unclosed), builder, insert, unused);
+    // Most of what these two look at is the same.
+    Kept_triangulation triangulation(m_cloud.positions());
+    unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, insert, unused);
     if (closes_all_loops()) {
-      Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder);
+      Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, triangulation);
       if (join_components(m_progress))
         unused = insert(m_progress);
     }
@@ -172,10 +175,11 @@ public:
   // triangles of a component may cross others, and so may points that were left out when they are inserted again.
   // Returns the number of unused points, which was `unused`.
   std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
-                               Builder& builder, Point_insertion<Builder>& insert, std::size_t unused)
+                               Builder& builder, Kept_triangulation& triangulation, Point_insertion<Builder>& insert,
+                               std::size_t unused)
   {
     constexpr int MAXIMUM_PASSES = 2;
-    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder);
+    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder, triangulation);
     for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
       if (!remove(first, unclosed, m_progress))
