@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Bending_edges.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_stars.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -84,17 +85,20 @@ public:
     }
     for (std::size_t i = 0; i != 4; ++i)
       result += cost_at_point(c, i);
+    if (!m_is_corner.empty())
+      result += cost_of_lost_corners(c);
     return result;
   }
 
-  // Whether the surface bends by more than the angle at an edge of the finite cell, or is no manifold at a vertex.
+  // Whether the surface bends by more than the angle at an edge of the finite cell, or has a defect at a vertex.
   bool bends_more_than(double angle, Cell_index c)
   {
     for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e)
       if (m_edges.bending(c, e) > angle)
         return true;
-    return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
-                       [&](Point_index p) { return defects(position_of(p)) != 0; });
+    return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(), [&](Point_index p) {
+      return defects(position_of(p)) != 0 || is_lost_corner(position_of(p), Cell_complex::NO_CELL);
+    });
   }
 
   // Of the vertices of a cell.
@@ -120,6 +124,15 @@ public:
 
   // From now on, an agreed facet on the surface is worth half of its perimeter times the factor.
   void set_worth_of_agreement(double factor) { m_agreement = factor; }
+
+  // From now on, lost corners (see Corner_test) with `is_counted(p)` are defects.
+  template <typename IsCounted>
+  void count_lost_corners(const IsCounted& is_counted)
+  {
+    m_is_corner.clear();
+    for (Point_index p : m_cells.points())
+      m_is_corner.push_back(is_counted(p) ? 1 : 0);
+  }
 
   bool has_lost_agreed_facet(Cell_index c) const
   {
@@ -215,6 +228,44 @@ private:
     return m_defect_costs[v] * double(m_defects_after_change[i] - before);
   }
 
+  double cost_of_lost_corners(Cell_index c) const
+  {
+    double result = 0.;
+    for (Point_index p : m_cells[c].vertices) {
+      const std::size_t v = position_of(p);
+      if (m_defect_costs[v] != 0.)
+        result += m_defect_costs[v] * (double(is_lost_corner(v, c)) - double(is_lost_corner(v, Cell_complex::NO_CELL)));
+    }
+    return result;
+  }
+
+  // With the label of cell `changed` the other way round.
+  bool is_lost_corner(std::size_t v, Cell_index changed) const
+  {
+    if (m_is_corner.empty() || m_is_corner[v] == 0 || m_stars.is_hub(v))
+      return false;
+    const auto label = [&](Cell_index c) { return m_labelling.label(c) != (c == changed); };
+    const Point_index p = m_cells.points()[v];
+    Corner_test test(m_points[p]);
+    m_stars.for_each_cell(v, [&](Cell_index c) {
+      if (!test.is_flat() || !label(c))
+        return;
+      for (std::size_t i = 0; i != 4; ++i)
+        if (m_cells[c].vertices[i] != p && !label(m_cells[c].neighbors[i]))
+          add_facet(p, c, i, test);
+    });
+    return test.is_lost();
+  }
+
+  // Facet i of a finite cell, of which p is a vertex.
+  void add_facet(Point_index p, Cell_index c, std::size_t i, Corner_test& test) const
+  {
+    std::array<Point_index, 3> f = Cell_complex::facet(m_cells[c], i);
+    while (f[0] != p)
+      std::rotate(f.begin(), f.begin() + 1, f.end());
+    test.add_facet(m_points[f[i % 2 == 0 ? 1 : 2]], m_points[f[i % 2 == 0 ? 2 : 1]]);
+  }
+
   // The defects that the change of the last cell leads to at vertex i if there are none.
   int defects_beside_cycle(std::size_t i) const
   {
@@ -252,9 +303,10 @@ private:
   Labelling& m_labelling;
   Edges m_edges;
   Label_stars<Labelling> m_stars;
-  std::vector<double> m_defect_costs;  // of the vertices; 0 out of the scope
-  std::vector<int> m_defects;          // of the vertices, now
-  std::vector<unsigned char> m_agreed; // facets of the cells, as bits
+  std::vector<double> m_defect_costs;     // of the vertices; 0 out of the scope
+  std::vector<int> m_defects;             // of the vertices, now
+  std::vector<unsigned char> m_is_corner; // of the vertices, whether it counts if it is lost; empty if none does
+  std::vector<unsigned char> m_agreed;    // facets of the cells, as bits
   double m_agreement = 0.;
   Cell_index m_last = Cell_complex::NO_CELL; // cell whose cost has been told
   // Of the last cell.

@@ -22,12 +22,11 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_reproduction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_rings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
@@ -36,6 +35,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -136,23 +136,15 @@ private:
     Triangles old;
     std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
                  [&](const Triangle& t) { return std::binary_search(group.begin(), group.end(), t[0]); });
-    std::vector<unsigned char> is_in_doubt(m_points.size(), 0);
-    const Surface_sides sides(cells, old, is_in_doubt, cancellation_point);
-    const auto doubts = static_cast<std::size_t>(std::count(is_in_doubt.begin(), is_in_doubt.end(), 1));
-    if (doubts > group.size() / PART_IN_DOUBT)
-      return false;
     const std::vector<Local_vector> normals = vertex_normals(m_points, old);
-    Oriented_labelling labelling =
-      label_by_sides<ConcurrencyTag>(cells, sides, m_points, normals, progress, cancellation_point);
-    make_nearly_manifold(cells, labelling, cancellation_point);
-    const Triangles labelled = facets_between_labels(cells, labelling, cancellation_point);
-    const Component_contacts before(m_points, old);
-    if (labelled.size() != old.size() || Component_contacts(m_points, labelled).size() != before.size())
+    std::optional<Oriented_labelling> labelling = reproduce_surface<ConcurrencyTag>(
+      cells, old, m_points, normals, group.size() / PART_IN_DOUBT, progress, cancellation_point);
+    if (!labelling)
       return false;
-    build_bridges(cells, labelling, cancellation_point);
-    repair_labels(cells, labelling, cancellation_point);
-    Triangles joined = facets_between_labels(cells, labelling, cancellation_point);
-    const Component_contacts after(m_points, joined);
+    build_bridges(cells, *labelling, cancellation_point);
+    repair_labels(cells, *labelling, cancellation_point);
+    Triangles joined = facets_between_labels(cells, *labelling, cancellation_point);
+    const Component_contacts before(m_points, old), after(m_points, joined);
     const bool has_all = std::all_of(group.begin(), group.end(),
                                      [&](Point_index p) { return after.is_on_surface(p) || !before.is_on_surface(p); });
     return has_all && after.size() < before.size() &&

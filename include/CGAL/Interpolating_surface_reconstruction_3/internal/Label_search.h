@@ -56,6 +56,14 @@ public:
     : m_cells(cells), m_chains(cells, points, labelling, is_free, is_seed, is_agreed, is_in_scope, cancellation_point)
   { }
 
+  // From now on, lost corners (see Corner_test) with `is_counted(p)` cost as much as points at which the surface is no
+  // manifold.
+  template <typename IsCounted>
+  void count_lost_corners(const IsCounted& is_counted)
+  {
+    m_chains.energy().count_lost_corners(is_counted);
+  }
+
   // Ends when all of the effort has been spent at the latest, and takes what it spends from it.
   // `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>

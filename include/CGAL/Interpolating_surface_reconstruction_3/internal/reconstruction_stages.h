@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
@@ -158,10 +159,13 @@ public:
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
-    // Most of what these two look at is the same.
+    // Most of what these look at is the same.
     Kept_triangulation triangulation(m_cloud.positions());
     unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, insert, unused);
     if (closes_all_loops()) {
+      Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), builder, triangulation);
+      if (recover_corners(m_progress))
+        unused = insert(m_progress);
       Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, triangulation);
       if (join_components(m_progress))
         unused = insert(m_progress);

@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Recovery of corners that the surface passes over.
+
+#include "isr_surface_test_utils.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_test.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Lost_corners.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace isr_test;
+using isr_internal::Cell_complex;
+using isr_internal::Corner_recovery;
+using isr_internal::Corner_test;
+using isr_internal::Kept_triangulation;
+using isr_internal::Local_point;
+using isr_internal::Lost_corners;
+
+namespace {
+
+// The corners of a plate, and the rims of a bore in its middle, of n points each.
+Points plate_with_bore(std::size_t n)
+{
+  Points points;
+  for (double z : { 0., .8 }) {
+    for (double x : { -3., 3. })
+      for (double y : { -3., 3. })
+        points.emplace_back(x, y, z);
+    for (std::size_t i = 0; i != n; ++i)
+      points.push_back(on_circle(2. * PI * double(i) / double(n), 1., z));
+  }
+  return points;
+}
+
+// A plate whose points are rows, far from each other.
+Points plate_of_rows(std::size_t rows, std::size_t n, double distance)
+{
+  Points points;
+  for (double z : { 0., 4. })
+    for (std::size_t row = 0; row != rows; ++row)
+      for (std::size_t i = 0; i != n; ++i)
+        points.emplace_back(double(i), distance * double(row), z);
+  return points;
+}
+
+// The convex hull, with all points on it.
+Triples hull(const Hand_surface& s)
+{
+  std::vector<Point_index> all(s.cloud.size());
+  for (Point_index p = 0; p != all.size(); ++p)
+    all[p] = p;
+  const Cell_complex cells(s.cloud.positions(), all);
+  Triples triples;
+  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (!Cell_complex::is_infinite(cells[c]) && Cell_complex::is_infinite(cells[cells[c].neighbors[i]])) {
+        std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
+        if (i % 2 != 0)
+          std::swap(f[1], f[2]);
+        triples.push_back(s.input_triple(f));
+      }
+  return triples;
+}
+
+std::size_t number_of_corners(const Hand_surface& s, const Triples& triples)
+{
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (const Triple& t : triples)
+    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  return Lost_corners(s.cloud.positions(), triangles).corners().size();
+}
+
+bool recover_corners(Hand_surface& s)
+{
+  Kept_triangulation triangulation(s.cloud.positions());
+  return Corner_recovery<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), s.builder,
+                                                                      triangulation)(no_progress);
+}
+
+void test_corner()
+{
+  begin_case("flat, with edges of very unlike length");
+  const Local_point p(0, 0, 0), near(1, 0, 0), left(0, 9, 0), far(-9, 0, 0), right(0, -9, 0);
+  const auto is_lost = [&](const std::vector<Local_point>& around) {
+    Corner_test test(p);
+    for (std::size_t i = 0; i != around.size(); ++i)
+      test.add_facet(around[i], around[(i + 1) % around.size()]);
+    return test.is_lost();
+  };
+  ISR_CHECK(is_lost({ near, left, far, right }));
+  ISR_CHECK(!is_lost({ Local_point(4, 0, 0), left, far, right }));
+  ISR_CHECK(!is_lost({ near, left, Local_point(-9, 0, 2), right }));
+  ISR_CHECK(!is_lost({}));
+}
+
+void test_bore()
+{
+  begin_case("a bore that is closed by caps");
+  const std::size_t n = 24;
+  const Points points = plate_with_bore(n);
+  Hand_surface s(points);
+  const Triples before = hull(s);
+  ISR_CHECK(s.add(before));
+  ISR_CHECK_EQUAL(validation::euler_characteristic(before), 2);
+  ISR_CHECK_EQUAL(number_of_corners(s, before), 2 * n);
+  ISR_CHECK(recover_corners(s));
+  const Triples after = s.triangles();
+  ISR_CHECK(validation::is_oriented_manifold(points, after, Kernel()));
+  ISR_CHECK(validation::boundary_edges(after).empty());
+  ISR_CHECK_EQUAL(validation::used_points(after).size(), points.size());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(after), 0);
+  ISR_CHECK_EQUAL(number_of_corners(s, after), 0u);
+  ISR_CHECK(!recover_corners(s)); // nothing is left to do
+}
+
+void test_rows()
+{
+  begin_case("rows are no corners");
+  const Points points = plate_of_rows(8, 30, 8.);
+  Hand_surface s(points);
+  const Triples before = hull(s);
+  ISR_CHECK(s.add(before));
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (const Triple& t : before)
+    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  const Lost_corners lost(s.cloud.positions(), triangles);
+  std::size_t number = 0;
+  for (Point_index p = 0; p != points.size(); ++p) {
+    number += lost.is_lost(p) ? 1u : 0u;
+    ISR_CHECK(!lost.is_lost(p) || lost.is_in_row(p));
+  }
+  ISR_CHECK_EQUAL(number, 2u * 6u * 28u);
+  ISR_CHECK(lost.corners().empty());
+  ISR_CHECK(!recover_corners(s));
+  ISR_CHECK(canonical(s.triangles()) == canonical(before));
+}
+
+} // namespace
+
+int main()
+{
+  test_corner();
+  test_bore();
+  test_rows();
+  return result();
+}
