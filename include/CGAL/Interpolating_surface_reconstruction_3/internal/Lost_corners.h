@@ -43,6 +43,7 @@ public:
     for (const Triangle& t : triangles)
       for (std::size_t i = 0; i != 3; ++i)
         tests[t[i]].add_facet(points[t[(i + 1) % 3]], points[t[(i + 2) % 3]]);
+    m_is_lost.reserve(tests.size());
     for (const Corner_test& test : tests)
       m_is_lost.push_back(test.is_lost() ? 1 : 0);
     follow_short_edges(tests);
@@ -128,6 +129,7 @@ private:
       if (is_lost(p))
         chains[m_chains.find(p).root].push_back(p);
     std::vector<Local_vector> result;
+    result.reserve(chains.size());
     for (const Chain& chain : chains)
       result.push_back(direction_if_straight(chain));
     return result;
