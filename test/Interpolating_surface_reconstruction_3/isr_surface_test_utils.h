@@ -14,6 +14,7 @@
 
 #include "isr_test_utils.h"
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
@@ -24,6 +25,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -271,6 +273,35 @@ inline Triples moebius_triples(std::size_t n)
   Triples triples;
   for (std::size_t i = 0; i != n; ++i)
     triples.push_back(i % 2 == 0 ? Triple{ i, (i + 1) % n, (i + 2) % n } : Triple{ (i + 1) % n, i, (i + 2) % n });
+  return triples;
+}
+
+// Of input triangles of the surface, with the points of the cloud.
+inline std::vector<std::array<Point_index, 3> > triangles_of(const Hand_surface& s, const Triples& triples)
+{
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (const Triple& t : triples)
+    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  return triangles;
+}
+
+// The surface of the Delaunay cells of all points with labels other than zero: it separates different ones.
+template <typename Label>
+Triples surface_of_labels(const Hand_surface& s, const Label& label)
+{
+  std::vector<Point_index> all(s.cloud.size());
+  for (Point_index p = 0; p != all.size(); ++p)
+    all[p] = p;
+  const isr_internal::Cell_complex cells(s.cloud.positions(), all);
+  Triples triples;
+  for (std::size_t c = 0; c != cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (label(cells[c]) != 0 && label(cells[cells[c].neighbors[i]]) != label(cells[c])) {
+        std::array<Point_index, 3> f = isr_internal::Cell_complex::facet(cells[c], i);
+        if (i % 2 != 0)
+          std::swap(f[1], f[2]);
+        triples.push_back(s.input_triple(f));
+      }
   return triples;
 }
 

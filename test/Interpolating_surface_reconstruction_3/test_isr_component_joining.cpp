@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 using namespace isr_test;
@@ -38,35 +37,13 @@ Points cylinders(std::size_t n, double height, double gap, bool has_inner_points
 // The surfaces of the two halves of the points: of the cells with all vertices in one of them.
 Triples surfaces_of_halves(const Hand_surface& s)
 {
-  std::vector<Point_index> all(s.cloud.size());
-  for (Point_index p = 0; p != all.size(); ++p)
-    all[p] = p;
-  const Cell_complex cells(s.cloud.positions(), all);
-  const auto half = [&](const Cell_complex::Cell& c) {
+  return surface_of_labels(s, [&](const Cell_complex::Cell& c) {
     if (Cell_complex::is_infinite(c))
       return 0;
     const auto in_first = std::count_if(c.vertices.begin(), c.vertices.end(),
                                         [&](Point_index p) { return 2 * s.cloud.input_index(p) < s.cloud.size(); });
     return in_first == 4 ? 1 : in_first == 0 ? 2 : 0;
-  };
-  Triples triples;
-  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
-    for (std::size_t i = 0; i != 4; ++i)
-      if (half(cells[c]) != 0 && half(cells[cells[c].neighbors[i]]) != half(cells[c])) {
-        std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
-        if (i % 2 != 0)
-          std::swap(f[1], f[2]);
-        triples.push_back(s.input_triple(f));
-      }
-  return triples;
-}
-
-std::vector<std::array<Point_index, 3> > triangles_of(const Hand_surface& s, const Triples& triples)
-{
-  std::vector<std::array<Point_index, 3> > triangles;
-  for (const Triple& t : triples)
-    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
-  return triangles;
+  });
 }
 
 std::size_t number_of_components(const Hand_surface& s, const Triples& triples)

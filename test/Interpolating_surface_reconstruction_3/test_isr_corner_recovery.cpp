@@ -21,7 +21,6 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 using namespace isr_test;
@@ -62,27 +61,12 @@ Points plate_of_rows(std::size_t rows, std::size_t n, double distance)
 // The convex hull, with all points on it.
 Triples hull(const Hand_surface& s)
 {
-  std::vector<Point_index> all(s.cloud.size());
-  for (Point_index p = 0; p != all.size(); ++p)
-    all[p] = p;
-  const Cell_complex cells(s.cloud.positions(), all);
-  Triples triples;
-  for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
-    for (std::size_t i = 0; i != 4; ++i)
-      if (!Cell_complex::is_infinite(cells[c]) && Cell_complex::is_infinite(cells[cells[c].neighbors[i]])) {
-        std::array<Point_index, 3> f = Cell_complex::facet(cells[c], i);
-        if (i % 2 != 0)
-          std::swap(f[1], f[2]);
-        triples.push_back(s.input_triple(f));
-      }
-  return triples;
+  return surface_of_labels(s, [](const Cell_complex::Cell& c) { return Cell_complex::is_infinite(c) ? 0 : 1; });
 }
 
 std::size_t number_of_corners(const Hand_surface& s, const Triples& triples)
 {
-  std::vector<std::array<Point_index, 3> > triangles;
-  for (const Triple& t : triples)
-    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  const std::vector<std::array<Point_index, 3> > triangles = triangles_of(s, triples);
   return Lost_corners(s.cloud.positions(), triangles).corners().size();
 }
 
@@ -136,9 +120,7 @@ void test_rows()
   Hand_surface s(points);
   const Triples before = hull(s);
   ISR_CHECK(s.add(before));
-  std::vector<std::array<Point_index, 3> > triangles;
-  for (const Triple& t : before)
-    triangles.push_back({ { s.indices[t[0]], s.indices[t[1]], s.indices[t[2]] } });
+  const std::vector<std::array<Point_index, 3> > triangles = triangles_of(s, before);
   const Lost_corners lost(s.cloud.positions(), triangles);
   std::size_t number = 0;
   for (Point_index p = 0; p != points.size(); ++p) {

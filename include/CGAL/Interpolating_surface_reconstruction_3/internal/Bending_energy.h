@@ -34,7 +34,7 @@ namespace internal {
 // The energy of the surface between two labels of the cells of a Delaunay triangulation: every edge costs
 // its length times half of the square of the angle by which the surface bends there, and a small share of
 // its length, which is what remains to be decided where the surface is flat. A point at which the surface is
-// no manifold costs several edges. Of all surfaces through the points the flattest is seldom wrong, even
+// no manifold costs several edges, and so do lost corners if they are counted. Of all surfaces through the points the flattest is seldom wrong, even
 // where the points are too sparse for the shapes of the triangles to tell (thesis 4.2.2: coplanarity).
 template <typename Labelling>
 class Bending_energy

@@ -73,7 +73,7 @@ public:
       contacts.find(m_octree, cancellation_point);
       if (contacts.near().empty())
         return false;
-      orient_triangles(progress);
+      m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
       m_is_free = mark_rings(m_builder, contacts.near(), FREE_RINGS, cancellation_point);
       for (const std::vector<Point_index>& group : contacts.groups())
         if (group.size() <= MAXIMUM_POINTS)
@@ -116,15 +116,6 @@ private:
     std::vector<Cell_index> cells;
     double cost; // in defects; infinite if it has not been tried
   };
-
-  template <typename Progress>
-  void orient_triangles(Progress& progress)
-  {
-    Surface_orientation<Builder> orientation(m_points, m_builder);
-    orientation.face_outward([&] { return progress.advance(0.); });
-    m_triangles.clear();
-    orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
-  }
 
   // Joins components of all these points, if no point is left out. Returns whether there are fewer then.
   template <typename Progress, typename CancellationPoint>

@@ -60,10 +60,13 @@ public:
   {
     Cancellation_point<Progress> cancellation_point(progress);
     try {
-      orient_triangles(progress);
+      const std::vector<Point_index> used = used_points();
+      if (used.size() > MAXIMUM_POINTS)
+        return false;
+      m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
       const Lost_corners lost(m_points, m_triangles);
-      const std::vector<Point_index> corners = lost.corners(), used = used_points();
-      if (corners.empty() || corners.size() < used.size() / PART_OF_LOST || used.size() > MAXIMUM_POINTS)
+      const std::vector<Point_index> corners = lost.corners();
+      if (corners.empty() || corners.size() < used.size() / PART_OF_LOST)
         return false;
       return recover(used, corners, lost, progress, cancellation_point);
     } catch (const Cancelled&) {
@@ -87,23 +90,18 @@ private:
   // Changes of labels that may be tried, in all and after kicks: as for conflicts.
   static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 2, EFFORT_OF_KICKS_PER_POINT = 16;
 
-  template <typename Progress>
-  void orient_triangles(Progress& progress)
-  {
-    Surface_orientation<Builder> orientation(m_points, m_builder);
-    orientation.face_outward([&] { return progress.advance(0.); });
-    m_triangles.clear();
-    orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
-  }
-
-  // Increasing.
+  // Those with triangles, increasing.
   std::vector<Point_index> used_points() const
   {
+    std::vector<unsigned char> is_used(m_points.size(), 0);
+    m_builder.for_each_triangle([&](const Triangle& t, auto) {
+      for (Point_index p : t)
+        is_used[p] = 1;
+    });
     std::vector<Point_index> result;
-    for (const Triangle& t : m_triangles)
-      result.insert(result.end(), t.begin(), t.end());
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    for (Point_index p = 0; p != m_points.size(); ++p)
+      if (is_used[p] != 0)
+        result.push_back(p);
     return result;
   }
 
@@ -148,7 +146,7 @@ private:
     Label_search<Oriented_labelling> search(
       cells, m_points, labelling,
       [&](Cell_index c) { return has_vertex(c, [&](Point_index p) { return is_free[p] != 0; }); },
-      [&](Cell_index c) { return has_vertex(c, [&](Point_index p) { return lost.is_lost(p) && !lost.is_in_row(p); }); },
+      [&](Cell_index c) { return has_vertex(c, [&](Point_index p) { return lost.is_corner(p); }); },
       [](auto...) { return false; }, [](auto) { return true; }, cancellation_point);
     search.count_lost_corners([&](Point_index p) { return !lost.is_in_row(p); });
     const std::size_t size = cells.points().size();

@@ -50,18 +50,19 @@ public:
     find_rows();
   }
 
-  // But those in rows; increasing.
+  // In order.
   std::vector<Point_index> corners() const
   {
     std::vector<Point_index> result;
     for (Point_index p = 0; p != m_points.size(); ++p)
-      if (is_lost(p) && !is_in_row(p))
+      if (is_corner(p))
         result.push_back(p);
     return result;
   }
 
   bool is_lost(Point_index p) const { return m_is_lost[p] != 0; }
   bool is_in_row(Point_index p) const { return m_is_in_row[p] != 0; }
+  bool is_corner(Point_index p) const { return is_lost(p) && !is_in_row(p); }
 
 private:
   using Chain = std::vector<Point_index>;

@@ -125,13 +125,7 @@ private:
   template <typename Progress>
   void find_normals(Progress& progress)
   {
-    Surface_orientation<Builder> orientation(m_points, m_builder);
-    if (m_given_normals.empty())
-      orientation.face_outward([&] { return progress.advance(0.); });
-    else
-      orientation.align_with_normals([&](Point_index p) { return m_given_normals[p]; });
-    m_triangles.clear();
-    orientation.for_each_oriented_triangle([&](const Triangle& t) { m_triangles.push_back(t); });
+    m_triangles = oriented_triangles(m_points, m_given_normals, m_builder, [&] { return progress.advance(0.); });
     m_normals = vertex_normals(m_points, m_triangles);
   }
 

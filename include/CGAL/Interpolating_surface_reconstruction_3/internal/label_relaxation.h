@@ -38,7 +38,7 @@ struct Label_change
 
 // Changes single cells as long as that wins, the one that wins most first; returns them in this
 // order. `Labelling` has gain(c), what changing cell c wins, smallest_gain(c), below which that is a
-// rounding error, and flip(c). `cancellation_point()` is called again and again and may throw.
+// rounding error, may_gain(c), false only if gain(c) is not positive, and flip(c). `cancellation_point()` is called again and again and may throw.
 template <typename Labelling, typename Cancellation_point = No_cancellation>
 std::vector<Cell_complex::Cell_index> relax_labels(const Cell_complex& cells, Labelling& labelling,
                                                    Cancellation_point&& cancellation_point = Cancellation_point())

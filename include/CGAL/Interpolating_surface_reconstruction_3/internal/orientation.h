@@ -170,6 +170,23 @@ private:
   std::size_t m_number_of_triangles = 0;
 };
 
+// The triangles of the surface. Their components face along `normals` of the points, or outward if there are none. Ends
+// early if go_further() is false.
+template <typename Builder, typename GoFurther>
+std::vector<std::array<Point_index, 3> > oriented_triangles(const std::vector<Local_point>& points,
+                                                            const std::vector<Local_vector>& normals, Builder& builder,
+                                                            const GoFurther& go_further)
+{
+  Surface_orientation<Builder> orientation(points, builder);
+  if (normals.empty())
+    orientation.face_outward(go_further);
+  else
+    orientation.align_with_normals([&](Point_index p) { return normals[p]; });
+  std::vector<std::array<Point_index, 3> > result;
+  orientation.for_each_oriented_triangle([&](const typename Builder::Triangle& t) { result.push_back(t); });
+  return result;
+}
+
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3
 } // namespace CGAL
