@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <boost/multiprecision/integer.hpp>
@@ -48,13 +49,16 @@ public:
   // From now on, all labels change together with flip().
   Bending_edges(const Cell_complex& cells, const std::vector<Local_point>& points, const Labelling& labelling)
     : m_cells(cells), m_points(points), m_labelling(labelling),
-      m_places(cells.size(), { { Place(), Place(), Place(), Place(), Place(), Place() } })
+      m_places(cells.size(), { { Place(), Place(), Place(), Place(), Place(), Place() } }),
+      m_bent(cells.points().size(), 0)
   { }
 
-  // Whether an edge is on the surface, and by how much its energy grows if a cell changes its label.
+  // Whether an edge is on the surface, and what happens there if a cell changes its label: by how much its energy grows, and
+  // 1 if it becomes a bent edge, -1 if it is none any longer.
   struct Change
   {
     bool is_on_surface;
+    int bent_edges;
     double cost;
   };
 
@@ -63,7 +67,10 @@ public:
   {
     const Place place = find(c, e);
     const Edge& edge = m_edges[place.edge];
-    return Change{ edge.facets != 0, energy(edge, facets(edge, place.position)) - edge.energy };
+    const Facets after = facets(edge, place.position);
+    const double angle = bending(after);
+    return Change{ edge.facets != 0, int(is_bent(angle)) - int(edge.is_bent),
+                   energy(edge, after.number, angle) - edge.energy };
   }
 
   // The angle by which the surface bends at the edge: 0 where it is flat, a half turn where it is no surface.
@@ -72,6 +79,9 @@ public:
     const Edge& edge = m_edges[find(c, e).edge];
     return bending(facets(edge, NO_POSITION));
   }
+
+  // Edges at the vertex at which the surface is not flat, of those that have been looked at.
+  int number_of_bent(std::size_t v) const { return m_bent[v]; }
 
   // Tells the edges of the finite cell that its label has changed.
   void flip(Cell_index c)
@@ -108,7 +118,9 @@ private:
     std::uint64_t labels; // of the cells around the edge, in order, if they are not more than the bits
     std::uint32_t first;  // of the cells around the edge in m_cells_around
     std::uint16_t size;
-    std::uint16_t facets; // on the surface, now
+    std::uint16_t facets : 15;         // on the surface, now
+    std::uint16_t is_bent : 1;         // now
+    std::array<std::uint32_t, 2> ends; // positions of vertices
   };
 
   // Tells directions around an edge from each other, as angles.
@@ -167,12 +179,20 @@ private:
     return result;
   }
 
-  void update(Edge& edge) const
+  void update(Edge& edge)
   {
     const Facets now = facets(edge, NO_POSITION);
-    edge.energy = energy(edge, now);
+    const double angle = bending(now);
+    edge.energy = energy(edge, now.number, angle);
     edge.facets = static_cast<std::uint16_t>(now.number);
+    if (is_bent(angle) != edge.is_bent) {
+      edge.is_bent = !edge.is_bent;
+      for (std::size_t end : edge.ends)
+        m_bent[end] += edge.is_bent ? 1 : -1;
+    }
   }
+
+  static bool is_bent(double angle) { return angle > Corner_test::MAXIMUM_BENDING; }
 
   static void add(double direction, Facets& facets)
   {
@@ -181,10 +201,9 @@ private:
     ++facets.number;
   }
 
-  static double energy(const Edge& edge, const Facets& facets)
+  static double energy(const Edge& edge, std::size_t facets, double angle)
   {
-    const double angle = bending(facets);
-    return edge.length * double(facets.number / 2) * (FLAT_SHARE + .5 * angle * angle);
+    return edge.length * double(facets / 2) * (FLAT_SHARE + .5 * angle * angle);
   }
 
   static double bending(const Facets& facets)
@@ -220,8 +239,14 @@ private:
       crossed = (v[1] == apex ? 1u : 0u) + (v[2] == apex ? 2u : 0u) + (v[3] == apex ? 3u : 0u);
       apex ^= p ^ q ^ v[0] ^ v[1] ^ v[2] ^ v[3]; // the fourth vertex
     } while (current != c);
-    m_edges.push_back(
-      Edge{ frame.length(), 0., labels, first, static_cast<std::uint16_t>(m_directions.size() - first), 0 });
+    Edge edge{};
+    edge.length = frame.length();
+    edge.labels = labels;
+    edge.first = first;
+    edge.size = static_cast<std::uint16_t>(m_directions.size() - first);
+    edge.ends = { { static_cast<std::uint32_t>(m_cells.position(p)),
+                    static_cast<std::uint32_t>(m_cells.position(q)) } };
+    m_edges.push_back(edge);
     update(m_edges.back());
   }
 
@@ -241,6 +266,7 @@ private:
   const Labelling& m_labelling;
   std::vector<std::array<Place, EDGES_OF_CELL> > m_places; // of the edges of each cell
   std::vector<Edge> m_edges;
+  std::vector<int> m_bent;                // edges at each vertex
   std::vector<Cell_index> m_cells_around; // all edges, one after the other
   std::vector<double> m_directions;       // of the facet between each of them and the next one
 };

@@ -72,11 +72,15 @@ public:
   {
     m_last = c;
     double result = 0.;
+    for (std::size_t i = 0; i != 4; ++i)
+      m_bent_edges[i] = m_edges.number_of_bent(position_of(m_cells[c].vertices[i]));
     for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e) {
       const std::size_t i = Edges::ENDS[e][0], j = Edges::ENDS[e][1];
       const typename Edges::Change change = m_edges.change(c, e);
       result += change.cost;
       m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = change.is_on_surface;
+      for (std::size_t end : { i, j })
+        m_bent_edges[end] += change.bent_edges;
     }
     for (std::size_t i = 0; i != 4; ++i) {
       m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);
@@ -85,8 +89,6 @@ public:
     }
     for (std::size_t i = 0; i != 4; ++i)
       result += cost_at_point(c, i);
-    if (!m_is_corner.empty())
-      result += cost_of_lost_corners(c);
     return result;
   }
 
@@ -96,9 +98,8 @@ public:
     for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e)
       if (m_edges.bending(c, e) > angle)
         return true;
-    return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(), [&](Point_index p) {
-      return defects(position_of(p)) != 0 || is_lost_corner(position_of(p), Cell_complex::NO_CELL);
-    });
+    return std::any_of(m_cells[c].vertices.begin(), m_cells[c].vertices.end(),
+                       [&](Point_index p) { return defects(position_of(p)) != 0; });
   }
 
   // Of the vertices of a cell.
@@ -129,6 +130,7 @@ public:
   template <typename IsCounted>
   void count_lost_corners(const IsCounted& is_counted)
   {
+    std::fill(m_defects.begin(), m_defects.end(), NOT_COUNTED);
     m_is_corner.clear();
     for (Point_index p : m_cells.points())
       m_is_corner.push_back(is_counted(p) ? 1 : 0);
@@ -159,7 +161,8 @@ private:
   // Edges of mean length that a defect costs.
   static constexpr double DEFECT_EDGES = 3.;
 
-  static constexpr int NOT_COUNTED = -1;
+  // In place of a number of defects. A lost corner is one where there is no other.
+  static constexpr int NOT_COUNTED = -1, LOST_CORNER = -2;
 
   void flip(Cell_index c)
   {
@@ -224,20 +227,14 @@ private:
     if (m_defect_costs[v] == 0.)
       return 0.;
     const int before = defects(v);
-    m_defects_after_change[i] = before != 0 ? m_stars.defects(v, c) : defects_beside_cycle(i);
-    return m_defect_costs[v] * double(m_defects_after_change[i] - before);
+    int& after = m_defects_after_change[i];
+    after = before > 0 ? m_stars.defects(v, c) : defects_beside_cycle(i);
+    if (after == 0 && m_bent_edges[i] == 0 && is_lost_corner(v, c))
+      after = LOST_CORNER;
+    return m_defect_costs[v] * double(number(after) - number(before));
   }
 
-  double cost_of_lost_corners(Cell_index c) const
-  {
-    double result = 0.;
-    for (Point_index p : m_cells[c].vertices) {
-      const std::size_t v = position_of(p);
-      if (m_defect_costs[v] != 0.)
-        result += m_defect_costs[v] * (double(is_lost_corner(v, c)) - double(is_lost_corner(v, Cell_complex::NO_CELL)));
-    }
-    return result;
-  }
+  static int number(int defects) { return defects == LOST_CORNER ? 1 : defects; }
 
   // With the label of cell `changed` the other way round.
   bool is_lost_corner(std::size_t v, Cell_index changed) const
@@ -293,8 +290,11 @@ private:
   // The defects at vertex v; most are never asked for.
   int defects(std::size_t v)
   {
-    if (m_defects[v] == NOT_COUNTED)
+    if (m_defects[v] == NOT_COUNTED) {
       m_defects[v] = m_defect_costs[v] == 0. || m_stars.is_hub(v) ? 0 : m_stars.defects(v);
+      if (m_defects[v] == 0 && is_lost_corner(v, Cell_complex::NO_CELL))
+        m_defects[v] = LOST_CORNER;
+    }
     return m_defects[v];
   }
 
@@ -313,6 +313,7 @@ private:
   Defects m_defects_after_change{};
   std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
   std::array<bool, 4> m_is_facet_on_surface{};
+  std::array<int, 4> m_bent_edges{}; // at its vertices after its change, of those looked at
 };
 
 } // namespace internal

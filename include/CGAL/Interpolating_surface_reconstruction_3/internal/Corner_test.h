@@ -57,6 +57,9 @@ public:
   double squared_length_of_shortest() const { return m_shortest; }
   double squared_length_of_longest() const { return m_longest; }
 
+  // No edge bends more where the surface is flat, as an angle: twice the one below, rounded up.
+  static constexpr double MAXIMUM_BENDING = .18;
+
 private:
   // Of five degrees: less than between the facets of what is round.
   static constexpr double LEAST_COSINE = .9962;
