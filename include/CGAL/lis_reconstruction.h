@@ -211,11 +211,14 @@ bool lis_reconstruction(const PointRange& points, Surface_mesh<Point>& mesh,
   const bool is_complete = Interpolating_surface_reconstruction_3::internal::reconstruct_lis<ConcurrencyTag>(
     points,
     [&](const auto& cloud, const auto& surface) {
+      using Size = typename Mesh::size_type;
       auto input_index = result.template add_property_map<Vertex, std::size_t>("v:input_index", 0).first;
+      const std::size_t triangles = surface.triangles.size(), vertices = cloud.size() + surface.added_points.size();
+      result.reserve(static_cast<Size>(vertices), static_cast<Size>(triangles + triangles / 2),
+                     static_cast<Size>(triangles));
       Interpolating_surface_reconstruction_3::internal::write_surface(
         cloud, surface, [&](const auto& point, std::size_t index) { input_index[result.add_vertex(point)] = index; },
         [&](const std::array<std::size_t, 3>& t) {
-          using Size = typename Mesh::size_type;
           result.add_face(Vertex(static_cast<Size>(t[0])), Vertex(static_cast<Size>(t[1])),
                           Vertex(static_cast<Size>(t[2])));
         });

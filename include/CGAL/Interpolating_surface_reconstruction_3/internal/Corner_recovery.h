@@ -87,8 +87,8 @@ private:
   // Rings around lost corners whose cells may change.
   static constexpr int FREE_RINGS = 2;
 
-  // Changes of labels that may be tried, in all and after kicks: as for conflicts.
-  static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 2, EFFORT_OF_KICKS_PER_POINT = 16;
+  // Changes of labels that may be tried, in all and after kicks: more than models with bores take.
+  static constexpr std::size_t SEARCH_EFFORT = 125000, SEARCH_EFFORT_PER_POINT = 8, EFFORT_OF_KICKS_PER_POINT = 16;
 
   // Those with triangles, increasing.
   std::vector<Point_index> used_points() const

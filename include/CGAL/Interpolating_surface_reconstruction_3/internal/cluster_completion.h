@@ -71,9 +71,9 @@ public:
   Cluster_completion(const Cluster_completion&) = delete;
   Cluster_completion& operator=(const Cluster_completion&) = delete;
 
-  // The searches spend at most `maximum_effort`. `cancellation_point()` is called again and again and may throw.
+  // The searches spend at most `maximum_effort`, none of it on kicks. `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
-  Completed_cluster operator()(const std::vector<Point_index>& cluster, const Search_effort& maximum_effort,
+  Completed_cluster operator()(const std::vector<Point_index>& cluster, std::size_t maximum_effort,
                                Cancellation_point& cancellation_point)
   {
     m_surface.reset();
@@ -84,8 +84,7 @@ public:
     for (Point_index p : cluster)
       add_to_cluster(p, cancellation_point);
     Completed_cluster result;
-    // Half of the kicks are for the second surface.
-    Search_effort effort{ maximum_effort.all, maximum_effort.of_kicks / 2 };
+    Search_effort effort{ maximum_effort, 0 };
     Site_triangulation triangulation(m_points);
     triangulate_with_surface(triangulation, cancellation_point);
     Cell_complex cells(triangulation, m_sites, cancellation_point);
@@ -96,13 +95,12 @@ public:
         cells = Cell_complex();
         cells = Cell_complex(triangulation, m_sites, cancellation_point);
       }
-      effort.of_kicks += maximum_effort.of_kicks / 2;
       if (cells.size() != 0)
         find_surface_or_withdraw(cells, false, effort, result.surface, cancellation_point);
     }
     result.withdrawn = m_surface.withdrawn();
     result.conflicts = m_cluster;
-    result.effort = maximum_effort.all - effort.all;
+    result.effort = maximum_effort - effort.all;
     return result;
   }
 

@@ -65,12 +65,9 @@ private:
   // Conflicts of the clusters that are completed before their surfaces are attached: enough for many threads.
   static constexpr std::size_t CONFLICTS_PER_BATCH = 4096;
 
-  // Changes of labels that the searches may try in all: enough for a few thousand conflicts, and two for every
-  // point where there are more.
-  static constexpr std::size_t SEARCH_EFFORT = 500000, SEARCH_EFFORT_PER_POINT = 2;
-
-  // Of those after kicks: for every point, and as a part of all.
-  static constexpr std::size_t EFFORT_OF_KICKS_PER_POINT = 16, PART_OF_KICKS = 4;
+  // Changes of labels that the searches may try in all, none of them after kicks: enough for a few thousand conflicts, and
+  // one for every point where there are more. Measured: four times as many, or kicks, find no better surfaces.
+  static constexpr std::size_t SEARCH_EFFORT = 125000, SEARCH_EFFORT_PER_POINT = 1;
 
   template <typename Progress, typename OnVerdict>
   void complete(const Clusters& clusters, Progress& progress, const OnVerdict& on_verdict)
@@ -80,7 +77,6 @@ private:
       [&] { return std::make_unique<Worker>(m_points, m_octree, m_maximum_radius, m_builder, m_is_conflict); });
     std::size_t effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_points.size(),
                 conflicts_left = m_clusters.conflicts().size();
-    const std::size_t effort_of_kicks = (std::min)(EFFORT_OF_KICKS_PER_POINT * m_points.size(), effort / PART_OF_KICKS);
     std::atomic<std::size_t> done{ 0 };
     for (std::size_t begin = 0, end = 0; begin != clusters.size(); begin = end) {
       end = end_of_batch(clusters, begin);
@@ -92,11 +88,9 @@ private:
         const std::vector<Point_index>& cluster = clusters[k];
         // A single cluster may hold all points.
         Cancellation_point<Progress> cancellation_point(progress);
-        const double share = double(cluster.size()) / double(conflicts_left),
-                     share_of_all = double(cluster.size()) / double(m_clusters.conflicts().size());
-        const Search_effort maximum_effort{ static_cast<std::size_t>(share * double(effort)),
-                                            static_cast<std::size_t>(share_of_all * double(effort_of_kicks)) };
-        completed[k - begin] = workers.local()(cluster, maximum_effort, cancellation_point);
+        const double share = double(cluster.size()) / double(conflicts_left);
+        completed[k - begin] =
+          workers.local()(cluster, static_cast<std::size_t>(share * double(effort)), cancellation_point);
         if (!progress.advance(double(done += cluster.size()) / double(m_clusters.conflicts().size())))
           throw Cancelled();
       });

@@ -64,6 +64,19 @@ Lis_options read_lis_options(const NamedParameters& np)
   return options;
 }
 
+// The sample at each position in the input up to that of the last one, NO_POINT if there is none.
+template <typename Cloud>
+std::vector<Point_index> samples_in_input_order(const Cloud& cloud)
+{
+  std::size_t size = 0;
+  for (Point_index p = 0; p != cloud.size(); ++p)
+    size = (std::max)(size, cloud.input_index(p) + 1);
+  std::vector<Point_index> result(size, NO_POINT);
+  for (Point_index p = 0; p != cloud.size(); ++p)
+    result[cloud.input_index(p)] = p;
+  return result;
+}
+
 // Passes a surface on: add_vertex(point, input position) for each vertex, first the samples in the
 // order of the input, then add_triangle(three numbers of vertices) for each triangle.
 template <typename Cloud, typename AddVertex, typename AddTriangle>
@@ -74,17 +87,12 @@ void write_surface(const Cloud& cloud, const Lis_surface& surface, const AddVert
   for (const auto& t : surface.triangles)
     for (Point_index p : t)
       vertex_of[p] = 0;
-  std::vector<Point_index> samples;
-  for (Point_index p = 0; p != cloud.size(); ++p)
-    if (vertex_of[p] != NO_INPUT_INDEX)
-      samples.push_back(p);
-  std::sort(samples.begin(), samples.end(),
-            [&](Point_index p, Point_index q) { return cloud.input_index(p) < cloud.input_index(q); });
   std::size_t next = 0;
-  for (Point_index p : samples) {
-    vertex_of[p] = next++;
-    add_vertex(cloud.point(p), cloud.input_index(p));
-  }
+  for (Point_index p : samples_in_input_order(cloud))
+    if (p != NO_POINT && vertex_of[p] != NO_INPUT_INDEX) {
+      vertex_of[p] = next++;
+      add_vertex(cloud.point(p), cloud.input_index(p));
+    }
   for (std::size_t i = 0; i != surface.added_points.size(); ++i) {
     vertex_of[cloud.size() + i] = next++;
     add_vertex(cloud.global_point(surface.added_points[i]), NO_INPUT_INDEX);
