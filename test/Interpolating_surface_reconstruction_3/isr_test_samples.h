@@ -426,6 +426,20 @@ inline std::vector<Sample> solids_of_few_points()
   return result;
 }
 
+// The corners of a plate, and the rims of a bore in its middle, of n points each.
+inline Points plate_with_bore(std::size_t n)
+{
+  Points points;
+  for (double z : { 0., .8 }) {
+    for (double x : { -3., 3. })
+      for (double y : { -3., 3. })
+        points.emplace_back(x, y, z);
+    for (std::size_t i = 0; i != n; ++i)
+      points.push_back(on_circle(2. * PI * double(i) / double(n), 1., z));
+  }
+  return points;
+}
+
 // order[i] is the old position of the new i-th point.
 inline std::vector<std::size_t> random_order(std::size_t n, std::uint64_t seed)
 {

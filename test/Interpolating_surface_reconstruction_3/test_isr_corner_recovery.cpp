@@ -33,20 +33,6 @@ using isr_internal::Lost_corners;
 
 namespace {
 
-// The corners of a plate, and the rims of a bore in its middle, of n points each.
-Points plate_with_bore(std::size_t n)
-{
-  Points points;
-  for (double z : { 0., .8 }) {
-    for (double x : { -3., 3. })
-      for (double y : { -3., 3. })
-        points.emplace_back(x, y, z);
-    for (std::size_t i = 0; i != n; ++i)
-      points.push_back(on_circle(2. * PI * double(i) / double(n), 1., z));
-  }
-  return points;
-}
-
 // A plate whose points are rows, far from each other.
 Points plate_of_rows(std::size_t rows, std::size_t n, double distance)
 {

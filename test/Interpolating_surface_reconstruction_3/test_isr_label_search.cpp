@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Bending_energy.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Lost_corners.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/validation.h>
 
@@ -38,6 +39,7 @@ using isr_internal::Cell_complex;
 using isr_internal::Label_search;
 using isr_internal::Local_point;
 using isr_internal::Local_vector;
+using isr_internal::Lost_corners;
 using isr_internal::No_cancellation;
 using isr_internal::Search_effort;
 using Cell_index = Cell_complex::Cell_index;
@@ -169,6 +171,25 @@ std::vector<double> costs_of_defects(const Sample& s)
   return result;
 }
 
+// The points of the surface that are lost corners, and of which it is a manifold.
+std::vector<Point_index> lost_corners(const Sample& s)
+{
+  std::vector<std::array<Point_index, 3> > triangles;
+  for (Cell_index c = 0; c != s.cells.size(); ++c)
+    for (std::size_t i = 0; i != 4; ++i)
+      if (s.labels.label(c) && s.labels.is_surface(c, i)) {
+        triangles.push_back(Cell_complex::facet(s.cells[c], i));
+        if (i % 2 != 0)
+          std::swap(triangles.back()[1], triangles.back()[2]);
+      }
+  const Lost_corners lost(s.positions, triangles);
+  std::vector<Point_index> result;
+  for (Point_index p = 0; p != s.positions.size(); ++p)
+    if (lost.is_lost(p) && defects_at(s, p) == 0)
+      result.push_back(p);
+  return result;
+}
+
 // A tenth of the length of each edge of the surface and half of the square of its bending, and the defects.
 double energy(const Sample& s, const std::vector<double>& costs)
 {
@@ -218,38 +239,57 @@ Points spindle(std::size_t n)
 }
 
 // What a change is said to cost is what the energy, computed anew, grows by.
+void test_cost_of_change(const Points& points, std::uint64_t seed, bool counts_lost_corners)
+{
+  begin_case("cost of changes, seed " + std::to_string(seed) + (counts_lost_corners ? ", with lost corners" : ""));
+  Sample s(points);
+  s.fill();
+  const std::vector<double> costs = costs_of_defects(s);
+  Bending_energy<Labels> bending(
+    s.cells, s.positions, s.labels, [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; },
+    No_cancellation());
+  if (counts_lost_corners)
+    bending.count_lost_corners([](Point_index) { return true; });
+  Random random(seed);
+  int changes_of_defects = 0, changes_of_corners = 0;
+  std::vector<Point_index> corners;
+  const auto total_energy = [&] {
+    double result = energy(s, costs);
+    corners = counts_lost_corners ? lost_corners(s) : std::vector<Point_index>();
+    for (Point_index p : corners)
+      result += costs[p];
+    return result;
+  };
+  double before = total_energy();
+  for (int i = 0; i != 60; ++i) {
+    const Cell_index c = static_cast<Cell_index>(random.below(s.cells.size()));
+    if (!s.is_finite(c))
+      continue;
+    const int defects = number_of_defects(s);
+    const std::vector<Point_index> corners_before = corners;
+    const double cost = bending.cost_of_change(c);
+    const auto before_change = bending.change(c);
+    const double after = total_energy();
+    ISR_CHECK(std::abs(cost - (after - before)) < 1e-6);
+    changes_of_defects += number_of_defects(s) != defects ? 1 : 0;
+    changes_of_corners += corners != corners_before ? 1 : 0;
+    // from a surface without defects again and again
+    if (i % 3 != 0)
+      bending.change_back(c, before_change);
+    before = total_energy();
+  }
+  ISR_CHECK(changes_of_defects > 5);
+  ISR_CHECK(!counts_lost_corners || changes_of_corners > 5);
+}
+
 void test_cost_of_change()
 {
   const std::vector<Points> samples = { sphere_random(40, 1).points, random_cube(40, 2), sphere_random(40, 3).points,
                                         random_cube(40, 4), spindle(100) };
-  for (std::uint64_t seed = 1; seed <= samples.size(); ++seed) {
-    begin_case("cost of changes, seed " + std::to_string(seed));
-    Sample s(samples[seed - 1]);
-    s.fill();
-    const std::vector<double> costs = costs_of_defects(s);
-    Bending_energy<Labels> bending(
-      s.cells, s.positions, s.labels, [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; },
-      No_cancellation());
-    Random random(seed);
-    int changes_of_defects = 0;
-    double before = energy(s, costs);
-    for (int i = 0; i != 60; ++i) {
-      const Cell_index c = static_cast<Cell_index>(random.below(s.cells.size()));
-      if (!s.is_finite(c))
-        continue;
-      const int defects = number_of_defects(s);
-      const double cost = bending.cost_of_change(c);
-      const auto before_change = bending.change(c);
-      const double after = energy(s, costs);
-      ISR_CHECK(std::abs(cost - (after - before)) < 1e-6);
-      changes_of_defects += number_of_defects(s) != defects ? 1 : 0;
-      // from a surface without defects again and again
-      if (i % 3 != 0)
-        bending.change_back(c, before_change);
-      before = energy(s, costs);
-    }
-    ISR_CHECK(changes_of_defects > 5);
-  }
+  for (std::uint64_t seed = 1; seed <= samples.size(); ++seed)
+    test_cost_of_change(samples[seed - 1], seed, false);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    test_cost_of_change(plate_with_bore(12), seed, true);
 }
 
 template <typename IsFree>

@@ -118,9 +118,9 @@ private:
     std::uint64_t labels; // of the cells around the edge, in order, if they are not more than the bits
     std::uint32_t first;  // of the cells around the edge in m_cells_around
     std::uint16_t size;
-    std::uint16_t facets : 15;         // on the surface, now
-    std::uint16_t is_bent : 1;         // now
+    std::uint16_t facets;              // on the surface, now
     std::array<std::uint32_t, 2> ends; // positions of vertices
+    bool is_bent;                      // now
   };
 
   // Tells directions around an edge from each other, as angles.
