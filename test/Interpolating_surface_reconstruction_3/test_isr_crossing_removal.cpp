@@ -90,18 +90,22 @@ Triples with_spike(const Mesh& mesh, std::size_t n)
   return triples;
 }
 
-template <typename IsSuspect>
-std::size_t crossings_of(const Hand_surface& s, std::size_t first, const IsSuspect& is_suspect)
+const auto all_triangles = [](const Builder::Triangle&) { return true; };
+const auto no_triangles = [](const Builder::Triangle&) { return false; };
+
+template <typename IsSuspect, typename IsWanted>
+std::size_t crossings_of(const Hand_surface& s, std::size_t first, const IsSuspect& is_suspect,
+                         const IsWanted& is_wanted)
 {
   isr_internal::No_cancellation never;
   return Surface_crossings<Builder>(s.cloud.positions(), s.builder)(static_cast<Builder::Triangle_index>(first),
-                                                                    is_suspect, never)
+                                                                    is_suspect, is_wanted, never)
     .size();
 }
 
 std::size_t crossings_of(const Hand_surface& s, std::size_t first)
 {
-  return crossings_of(s, first, [](const Builder::Triangle&) { return true; });
+  return crossings_of(s, first, all_triangles, all_triangles);
 }
 
 // `unclosed` in the order of the input.
@@ -132,8 +136,10 @@ void test_spike()
   const auto is_at_tip = [&](const Builder::Triangle& t) {
     return std::any_of(t.begin(), t.end(), [&](Point_index p) { return s.cloud.input_index(p) == 0; });
   };
-  ISR_CHECK_EQUAL(crossings_of(s, 0, is_at_tip), crossings_of(s, all - 3));
-  ISR_CHECK_EQUAL(crossings_of(s, 0, [](const Builder::Triangle&) { return false; }), 0u);
+  const auto is_elsewhere = [&](const Builder::Triangle& t) { return !is_at_tip(t); };
+  ISR_CHECK_EQUAL(crossings_of(s, 0, is_at_tip, all_triangles), crossings_of(s, all - 3));
+  ISR_CHECK_EQUAL(crossings_of(s, 0, no_triangles, all_triangles), 0u);
+  ISR_CHECK_EQUAL(crossings_of(s, 0, all_triangles, is_elsewhere), 0u);
   ISR_CHECK(!remove_crossings(s, all));
   ISR_CHECK(remove_crossings(s, all - 3));
   const Triples triples = s.triangles();
@@ -159,6 +165,32 @@ void test_two_components()
   ISR_CHECK(!has_self_intersection(mesh.points, triples));
   ISR_CHECK(validation::is_oriented_manifold(mesh.points, triples, Kernel()));
   ISR_CHECK(validation::boundary_edges(triples).empty());
+}
+
+// A component of more than 32,768 points stays as it is, another one does not.
+void test_large_component()
+{
+  begin_case("component that is too large");
+  constexpr std::size_t N = 9, MERIDIANS = 190;
+  Mesh mesh = rough_globe(7, N), large = globe(180, MERIDIANS, Point(4, 0, 0), 1.);
+  mesh.triples = with_spike(mesh, N);
+  large.triples = with_spike(large, MERIDIANS);
+  const std::size_t small_points = mesh.points.size();
+  append(mesh, large);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  const auto part = [&](const Triples& triples, bool is_small) {
+    Triples result;
+    for (const Triple& t : triples)
+      if ((t[0] < small_points) == is_small)
+        result.push_back(t);
+    return result;
+  };
+  const Triples before = part(mesh.triples, false);
+  ISR_CHECK(has_self_intersection(mesh.points, before));
+  ISR_CHECK(remove_crossings(s));
+  ISR_CHECK(!has_self_intersection(mesh.points, part(s.triangles(), true)));
+  ISR_CHECK(sorted(part(s.triangles(), false)) == sorted(before));
 }
 
 // What is right stays as it is, and so do components with a boundary.
@@ -341,6 +373,7 @@ int main()
   test_triangles();
   test_spike();
   test_two_components();
+  test_large_component();
   test_left_alone();
   test_unclosed_loops();
   test_sides();

@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
@@ -66,6 +67,7 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
+      find_small_components(cancellation_point);
       if (!find_crossings(first, unclosed, cancellation_point))
         return false;
       find_normals(progress);
@@ -99,6 +101,26 @@ private:
   // Changes of labels that the search may try at each point in doubt.
   static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 256;
 
+  // Marks the points of components that are not too large to be replaced: crossings of others need not be found.
+  template <typename CancellationPoint>
+  void find_small_components(CancellationPoint& cancellation_point)
+  {
+    m_is_small.assign(m_points.size(), 1);
+    if (m_points.size() <= MAXIMUM_POINTS)
+      return;
+    Parity_union_find components(m_points.size());
+    m_builder.for_each_triangle([&](const Triangle& t, auto) {
+      cancellation_point();
+      components.unite(t[0], t[1], false);
+      components.unite(t[0], t[2], false);
+    });
+    std::vector<std::size_t> sizes(m_points.size(), 0);
+    for (Point_index p = 0; p != m_points.size(); ++p)
+      ++sizes[components.find(p).root];
+    for (Point_index p = 0; p != m_points.size(); ++p)
+      m_is_small[p] = sizes[components.find(p).root] <= MAXIMUM_POINTS ? 1 : 0;
+  }
+
   // From either side; false if there are none. Points on holes, and what their stars see, are treated as crossing.
   template <typename CancellationPoint>
   bool find_crossings(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed,
@@ -108,7 +130,8 @@ private:
       std::sort(t.begin(), t.end());
       return !std::binary_search(m_kept.begin(), m_kept.end(), t);
     };
-    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, is_suspect, cancellation_point);
+    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(
+      first, is_suspect, [&](const Triangle& t) { return m_is_small[t[0]] != 0; }, cancellation_point);
     m_kept.clear();
     const Star_table& stars = m_builder.compatibility().stars();
     for (Point_index p : unclosed)
@@ -255,8 +278,8 @@ private:
   Triangles m_kept;                  // by replacements since then, sorted, with increasing vertices
   std::vector<Local_vector> m_normals;
   std::size_t m_points_left = MAXIMUM_POINTS;
-  std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point
-  std::vector<Point_index> m_component;                   // the current one, increasing
+  std::vector<unsigned char> m_is_small, m_is_in_doubt, m_is_visited; // of each point
+  std::vector<Point_index> m_component;                               // the current one, increasing
 };
 
 } // namespace internal

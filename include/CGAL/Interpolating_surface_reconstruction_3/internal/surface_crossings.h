@@ -48,22 +48,22 @@ public:
     : m_points(points), m_builder(builder)
   { }
 
-  // Crossings of the triangles with `is_suspect(triangle)` stored from `first` on with any others, sorted. Where the boxes of very many pairs
-  // meet, as of thin triangles, each of the former triangles counts as one that crosses itself.
-  // `cancellation_point()` is called again and again and may throw.
-  template <typename IsSuspect, typename CancellationPoint>
-  std::vector<Crossing> operator()(Triangle_index first, const IsSuspect& is_suspect,
+  // Crossings of the triangles with `is_suspect(triangle)` stored from `first` on with any others, sorted, among those
+  // with `is_wanted(triangle)`. Where the boxes of very many pairs meet, as of thin triangles, each of the former triangles
+  // counts as one that crosses itself. `cancellation_point()` is called again and again and may throw.
+  template <typename IsSuspect, typename IsWanted, typename CancellationPoint>
+  std::vector<Crossing> operator()(Triangle_index first, const IsSuspect& is_suspect, const IsWanted& is_wanted,
                                    CancellationPoint& cancellation_point)
   {
     m_late.clear();
     m_crossings.clear();
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
-      if (!m_builder.is_removed(t) && is_suspect(m_builder.triangle(t)))
+      if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)))
         add_box(m_builder.triangle(t), m_late);
     m_pairs_left = PAIRS_PER_POINT * m_points.size();
     if (!m_late.empty()) {
       sort_late();
-      cross_with_surface(cancellation_point);
+      cross_with_surface(is_wanted, cancellation_point);
     }
     std::sort(m_crossings.begin(), m_crossings.end());
     m_crossings.erase(std::unique(m_crossings.begin(), m_crossings.end()), m_crossings.end());
@@ -107,15 +107,15 @@ private:
     return false;
   }
 
-  template <typename CancellationPoint>
-  void cross_with_surface(CancellationPoint& cancellation_point)
+  template <typename IsWanted, typename CancellationPoint>
+  void cross_with_surface(const IsWanted& is_wanted, CancellationPoint& cancellation_point)
   {
     const std::size_t block_size = (std::max)(BLOCK_SIZE, m_late.size());
     std::vector<Box> block;
     block.reserve(block_size);
     try {
       m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
-        if (may_cross(t))
+        if (is_wanted(t) && may_cross(t))
           add_box(t, block);
         if (block.size() == block_size)
           cross_with(block, cancellation_point);
