@@ -14,8 +14,9 @@
 #ifndef ISR_TEST_RECONSTRUCTION_H
 #define ISR_TEST_RECONSTRUCTION_H
 
+#include "isr_test_utils.h" // first: it turns assertions on
+
 #include "isr_test_reconstructors.h"
-#include "isr_test_utils.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/parameters.h>
