@@ -4,12 +4,13 @@ import math
 
 
 class Results:
-    def __init__(self, methods, models, rows, references, scaling, environment):
+    def __init__(self, methods, models, rows, references, scaling, environment, largest_of_peers):
         self.methods = methods
         self.models = models
         self.references = references  # by name of the model
         self.scaling = scaling
         self.environment = environment
+        self.largest_of_peers = largest_of_peers
         self.all_rows = rows
         self._rows = {(row["model"], row["method"], row["threads"]): row for row in rows}
 
@@ -32,6 +33,11 @@ class Results:
 
     def has(self, key):
         return key in self.keys()
+
+
+def is_run(method, reference, largest_of_peers):
+    """Whether a method is run on the model: peers, but for the advancing front, only on models of so many points."""
+    return method["is_ours"] or method["key"] == "af" or reference.get("points", 0) <= largest_of_peers
 
 
 def best(row, key="seconds"):
