@@ -203,7 +203,8 @@ private:
 
   static double energy(const Edge& edge, std::size_t facets, double angle)
   {
-    return edge.length * double(facets / 2) * (FLAT_SHARE + .5 * angle * angle);
+    const std::size_t sheets = facets / 2;
+    return edge.length * double(sheets) * (FLAT_SHARE + .5 * angle * angle);
   }
 
   static double bending(const Facets& facets)
