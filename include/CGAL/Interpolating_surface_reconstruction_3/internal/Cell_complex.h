@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -58,7 +57,7 @@ public:
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
     if (triangulation.is_usable())
-      sort_cells(copy_cells(triangulation.delaunay(), cancellation_point), cancellation_point);
+      sort_cells(cells_of(triangulation.delaunay(), cancellation_point), cancellation_point);
   }
 
   // `points` are distinct.
@@ -70,14 +69,14 @@ public:
     // What stays is allocated before the triangulation, so that the system gets the memory of that back.
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
-    std::vector<Cell_index> numbers;
+    std::vector<Cell> unsorted;
     {
       Site_triangulation triangulation(positions);
       triangulation.insert(m_points, cancellation_point);
       if (triangulation.is_usable())
-        numbers = copy_cells(triangulation.delaunay(), cancellation_point);
+        unsorted = cells_of(triangulation.delaunay(), cancellation_point);
     }
-    sort_cells(std::move(numbers), cancellation_point);
+    sort_cells(std::move(unsorted), cancellation_point);
   }
 
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
@@ -154,46 +153,54 @@ private:
       m_positions[m_points[k] - m_points.front()] = static_cast<Point_index>(k);
   }
 
-  // Puts the cells where those with the same smallest vertex are, which are few; their neighbors are numbers in the
-  // triangulation, in the order in which its cells are in memory. Returns the number of each cell.
+  // The cells in the order in which they are in memory, which is nearly that of their places. The info of each
+  // cell of the triangulation becomes its number.
   template <typename Cancellation_point>
-  std::vector<Cell_index> copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
+  static std::vector<Cell> cells_of(const Delaunay& delaunay, Cancellation_point& cancellation_point)
   {
-    std::vector<Cell_index> ends(m_points.size() + 1, 0); // of the cells of each smallest vertex, so far
-    Cell_index number = 0;
+    std::vector<Cell> cells;
+    cells.reserve(delaunay.tds().number_of_cells());
     for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      cell->info() = number++;
-      ++ends[position_of_smallest_vertex(cell) + 1];
+      cell->info() = static_cast<Cell_index>(cells.size());
+      cells.emplace_back();
+      for (std::size_t i = 0; i != 4; ++i)
+        cells.back().vertices[i] = cell->vertex(static_cast<int>(i))->info();
     }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<Cell_index> numbers(number);
-    m_cells.resize(number);
-    for (const Delaunay::Cell_handle handle : delaunay.all_cell_handles()) {
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      const Cell_index place = ends[position_of_smallest_vertex(handle)]++;
-      numbers[place] = handle->info();
-      Cell& cell = m_cells[place];
-      for (std::size_t i = 0; i != 4; ++i) {
-        cell.vertices[i] = handle->vertex(static_cast<int>(i))->info();
-        cell.neighbors[i] = handle->neighbor(static_cast<int>(i))->info();
-      }
-      sort_vertices(cell);
+      for (std::size_t i = 0; i != 4; ++i)
+        cells[cell->info()].neighbors[i] = cell->neighbor(static_cast<int>(i))->info();
     }
-    return numbers;
+    return cells;
   }
 
-  // The cells with the same smallest vertex get into the lexicographic order of their increasing vertices.
+  // The cells get into the lexicographic order of their increasing vertices. They are put where those with
+  // the same smallest vertex are, which are few, then sorted.
   template <typename Cancellation_point>
-  void sort_cells(std::vector<Cell_index> numbers, Cancellation_point& cancellation_point)
+  void sort_cells(std::vector<Cell> unsorted, Cancellation_point& cancellation_point)
   {
-    for (std::size_t begin = 0, end = 0; begin != m_cells.size(); begin = end) {
+    std::vector<Cell_index> end(m_points.size() + 1, 0); // of the cells of each smallest vertex, so far
+    for (Cell& cell : unsorted) {
       cancellation_point();
-      while (end != m_cells.size() && m_cells[end].vertices[0] == m_cells[begin].vertices[0])
-        ++end;
-      sort_cells(begin, end, numbers);
+      sort_vertices(cell);
+      ++end[position(cell.vertices[0]) + 1];
     }
-    std::vector<Cell_index> places(m_cells.size());
+    for (std::size_t k = 0; k != m_points.size(); ++k)
+      end[k + 1] += end[k];
+    m_cells.resize(unsorted.size());
+    std::vector<Cell_index> numbers(unsorted.size()), places(unsorted.size());
+    for (Cell_index c = 0; c != unsorted.size(); ++c) {
+      cancellation_point();
+      const Cell_index place = end[position(unsorted[c].vertices[0])]++;
+      m_cells[place] = unsorted[c];
+      numbers[place] = c;
+    }
+    std::vector<Cell>().swap(unsorted);
+    for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = end[k], ++k) {
+      cancellation_point();
+      sort_cells(begin, end[k], numbers);
+    }
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       places[numbers[c]] = c;
     for (Cell& cell : m_cells) {
@@ -201,12 +208,6 @@ private:
       for (Cell_index& n : cell.neighbors)
         n = places[n];
     }
-  }
-
-  std::size_t position_of_smallest_vertex(Delaunay::Cell_handle cell) const
-  {
-    return position((std::min)(
-      { cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(), cell->vertex(3)->info() }));
   }
 
   // Makes the vertices increasing, but for the last two, which are exchanged where that keeps the orientation.
