@@ -18,9 +18,14 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Lost_corners.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Steep_search.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 using namespace isr_test;
@@ -29,7 +34,10 @@ using isr_internal::Corner_recovery;
 using isr_internal::Corner_test;
 using isr_internal::Kept_triangulation;
 using isr_internal::Local_point;
+using isr_internal::Local_vector;
 using isr_internal::Lost_corners;
+using isr_internal::Point_octree_3;
+using isr_internal::Steep_search;
 
 namespace {
 
@@ -41,6 +49,18 @@ Points plate_of_rows(std::size_t rows, std::size_t n, double distance)
     for (std::size_t row = 0; row != rows; ++row)
       for (std::size_t i = 0; i != n; ++i)
         points.emplace_back(double(i), distance * double(row), z);
+  return points;
+}
+
+// The ground around a scanner, circles of points nearer to each other than the circles are, and one point over it.
+Points ground(double height)
+{
+  Points points{ Point(0, 0, height) };
+  for (std::size_t circle = 1; circle <= 6; ++circle) {
+    const std::size_t n = 50 * circle; // a distance of about one
+    for (std::size_t i = 0; i != n; ++i)
+      points.push_back(on_circle(2. * PI * double(i) / double(n), 8. * double(circle), 0.));
+  }
   return points;
 }
 
@@ -59,7 +79,8 @@ std::size_t number_of_corners(const Hand_surface& s, const Triples& triples)
 bool recover_corners(Hand_surface& s)
 {
   Kept_triangulation triangulation(s.cloud.positions());
-  return Corner_recovery<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), s.builder,
+  const Point_octree_3 octree(s.cloud.positions());
+  return Corner_recovery<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), octree, s.builder,
                                                                       triangulation)(no_progress);
 }
 
@@ -111,12 +132,54 @@ void test_rows()
   std::size_t number = 0;
   for (Point_index p = 0; p != points.size(); ++p) {
     number += lost.is_lost(p) ? 1u : 0u;
-    ISR_CHECK(!lost.is_lost(p) || lost.is_in_row(p));
+    ISR_CHECK(!lost.is_lost(p) || lost.is_by_right(p));
   }
   ISR_CHECK_EQUAL(number, 2u * 6u * 28u);
   ISR_CHECK(lost.corners().empty());
   ISR_CHECK(!recover_corners(s));
   ISR_CHECK(canonical(s.triangles()) == canonical(before));
+}
+
+void test_steep_search()
+{
+  begin_case("steep points, by looking at all of them");
+  const Points points = random_cube(2000, 7);
+  const Hand_surface s(points);
+  const std::vector<Local_point>& positions = s.cloud.positions();
+  const Point_octree_3 octree(positions);
+  Steep_search has_steep_point(positions, octree);
+  for (const Local_vector& normal : { Local_vector(0, 0, 1), Local_vector(.6, 0, -.8), Local_vector(1, 0, 0) })
+    for (Point_index p = 0; p < positions.size(); p += 3) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Local_point& q : positions) {
+        const Local_vector v = q - positions[p];
+        if (v.squared_length() > 0. && 2. * (normal * v) * (normal * v) >= v.squared_length())
+          least = (std::min)(least, v.squared_length());
+      }
+      ISR_CHECK(has_steep_point(p, normal, least));
+      ISR_CHECK(!has_steep_point(p, normal, .999 * least));
+    }
+}
+
+void test_ground()
+{
+  begin_case("nothing is near enough to turn to");
+  for (const bool is_near : { false, true }) {
+    const Points points = ground(is_near ? 30. : 300.);
+    Hand_surface s(points);
+    const Triples before = hull(s);
+    ISR_CHECK(s.add(before));
+    const std::vector<std::array<Point_index, 3> > triangles = triangles_of(s, before);
+    Lost_corners lost(s.cloud.positions(), triangles);
+    ISR_CHECK_EQUAL(lost.corners().size(), 50u + 100u + 150u + 200u + 250u);
+    isr_internal::No_cancellation cancellation_point;
+    lost.find_alone(Point_octree_3(s.cloud.positions()), cancellation_point);
+    ISR_CHECK_EQUAL(lost.corners().empty(), !is_near);
+    if (!is_near) {
+      ISR_CHECK(!recover_corners(s));
+      ISR_CHECK(canonical(s.triangles()) == canonical(before));
+    }
+  }
 }
 
 } // namespace
@@ -126,5 +189,7 @@ int main()
   test_corner();
   test_bore();
   test_rows();
+  test_steep_search();
+  test_ground();
   return result();
 }

@@ -20,6 +20,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Lost_corners.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -50,8 +51,9 @@ class Corner_recovery
 public:
   using Triangle = typename Builder::Triangle;
 
-  Corner_recovery(const std::vector<Local_point>& points, Builder& builder, Kept_triangulation& triangulation)
-    : m_points(points), m_builder(builder), m_triangulation(triangulation)
+  Corner_recovery(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder,
+                  Kept_triangulation& triangulation)
+    : m_points(points), m_octree(octree), m_builder(builder), m_triangulation(triangulation)
   { }
 
   // For a closed surface. Returns whether it has changed; ends early if cancelled.
@@ -64,7 +66,8 @@ public:
       if (used.size() > MAXIMUM_POINTS)
         return false;
       m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
-      const Lost_corners lost(m_points, m_triangles);
+      Lost_corners lost(m_points, m_triangles);
+      lost.find_alone(m_octree, cancellation_point);
       const std::vector<Point_index> corners = lost.corners();
       if (corners.empty() || corners.size() < used.size() / PART_OF_LOST)
         return false;
@@ -127,7 +130,7 @@ private:
     for (Point_index p : used) {
       if (!after.is_on_surface(p))
         return false;
-      left += still_lost.is_lost(p) && !lost.is_in_row(p) ? 1u : 0u;
+      left += still_lost.is_lost(p) && !lost.is_by_right(p) ? 1u : 0u;
     }
     return left < corners.size() && after.size() <= before.size() &&
            !exchange_triangles(m_builder, used, std::move(recovered), cancellation_point).empty();
@@ -148,13 +151,14 @@ private:
       [&](Cell_index c) { return has_vertex(c, [&](Point_index p) { return is_free[p] != 0; }); },
       [&](Cell_index c) { return has_vertex(c, [&](Point_index p) { return lost.is_corner(p); }); },
       [](auto...) { return false; }, [](auto) { return true; }, cancellation_point);
-    search.count_lost_corners([&](Point_index p) { return !lost.is_in_row(p); });
+    search.count_lost_corners([&](Point_index p) { return !lost.is_by_right(p); });
     const std::size_t size = cells.points().size();
     Search_effort effort{ SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * size, EFFORT_OF_KICKS_PER_POINT * size };
     search(effort, cancellation_point);
   }
 
   const std::vector<Local_point>& m_points;
+  const Point_octree_3& m_octree;
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
   Triangles m_triangles; // of the surface as it was, oriented

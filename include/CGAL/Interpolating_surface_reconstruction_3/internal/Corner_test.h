@@ -57,6 +57,12 @@ public:
   double squared_length_of_shortest() const { return m_shortest; }
   double squared_length_of_longest() const { return m_longest; }
 
+  // If it is lost, the normal of the surface, of unit length.
+  const Local_vector& normal() const { return m_normal; }
+
+  // Longer edges than that are worth no corner: it would lose by them what it wins.
+  double squared_length_of_longest_gained() const { return LEAST_RATIO * LEAST_RATIO * m_longest; }
+
   // No edge bends more where the surface is flat, as an angle: twice the one below, rounded up.
   static constexpr double MAXIMUM_BENDING = .18;
 

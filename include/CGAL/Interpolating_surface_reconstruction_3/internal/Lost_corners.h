@@ -16,6 +16,8 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Steep_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
@@ -30,24 +32,35 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // The lost corners of an oriented surface, see Corner_test. They are followed along their short edges: three straight
-// chains side by side are no corners but rows, as scanners make them.
+// chains side by side are no corners but rows, as scanners make them. Others may be found to be alone: there is nothing
+// that the surface could turn to at such a corner, as on the ground in a scan.
 class Lost_corners
 {
 public:
   using Triangle = std::array<Point_index, 3>;
 
   Lost_corners(const std::vector<Local_point>& points, const std::vector<Triangle>& triangles)
-    : m_points(points), m_triangles(triangles), m_chains(points.size()), m_is_in_row(points.size(), 0)
+    : m_points(points), m_triangles(triangles), m_tests(points.begin(), points.end()), m_chains(points.size()),
+      m_is_by_right(points.size(), 0)
   {
-    std::vector<Corner_test> tests(points.begin(), points.end());
     for (const Triangle& t : triangles)
       for (std::size_t i = 0; i != 3; ++i)
-        tests[t[i]].add_facet(points[t[(i + 1) % 3]], points[t[(i + 2) % 3]]);
-    m_is_lost.reserve(tests.size());
-    for (const Corner_test& test : tests)
-      m_is_lost.push_back(test.is_lost() ? 1 : 0);
-    follow_short_edges(tests);
+        m_tests[t[i]].add_facet(points[t[(i + 1) % 3]], points[t[(i + 2) % 3]]);
+    follow_short_edges();
     find_rows();
+  }
+
+  // From now on, those that are alone are no corners. `cancellation_point()` is called again and again and may throw.
+  template <typename CancellationPoint>
+  void find_alone(const Point_octree_3& octree, CancellationPoint& cancellation_point)
+  {
+    Steep_search has_steep_point(m_points, octree);
+    for (Point_index p = 0; p != m_points.size(); ++p)
+      if (is_corner(p)) {
+        cancellation_point();
+        const Corner_test& test = m_tests[p];
+        m_is_by_right[p] = has_steep_point(p, test.normal(), test.squared_length_of_longest_gained()) ? 0 : 1;
+      }
   }
 
   // In order.
@@ -60,9 +73,12 @@ public:
     return result;
   }
 
-  bool is_lost(Point_index p) const { return m_is_lost[p] != 0; }
-  bool is_in_row(Point_index p) const { return m_is_in_row[p] != 0; }
-  bool is_corner(Point_index p) const { return is_lost(p) && !is_in_row(p); }
+  bool is_lost(Point_index p) const { return m_tests[p].is_lost(); }
+
+  // Whether the surface is right there, although it looks like a lost corner: in a row, or alone.
+  bool is_by_right(Point_index p) const { return m_is_by_right[p] != 0; }
+
+  bool is_corner(Point_index p) const { return is_lost(p) && !is_by_right(p); }
 
 private:
   using Chain = std::vector<Point_index>;
@@ -86,10 +102,10 @@ private:
   }
 
   // Those that are shorter than the mean of the longest and the shortest edge of either end.
-  void follow_short_edges(const std::vector<Corner_test>& tests)
+  void follow_short_edges()
   {
     const auto is_short = [&](Point_index p, double squared) {
-      return squared * squared < tests[p].squared_length_of_shortest() * tests[p].squared_length_of_longest();
+      return squared * squared < m_tests[p].squared_length_of_shortest() * m_tests[p].squared_length_of_longest();
     };
     for_each_edge([&](Point_index p, Point_index q) {
       const double squared = squared_length(p, q);
@@ -119,7 +135,7 @@ private:
       if (number[pair.first] >= 2)
         is_row[pair.first] = is_row[pair.second] = 1;
     for (Point_index p = 0; p != m_points.size(); ++p)
-      m_is_in_row[p] = is_row[m_chains.find(p).root];
+      m_is_by_right[p] = is_row[m_chains.find(p).root];
   }
 
   // For the root of each straight chain; others are zero.
@@ -159,8 +175,9 @@ private:
 
   const std::vector<Local_point>& m_points;
   const std::vector<Triangle>& m_triangles;
-  Parity_union_find m_chains; // of points
-  std::vector<unsigned char> m_is_lost, m_is_in_row;
+  std::vector<Corner_test> m_tests; // of points
+  Parity_union_find m_chains;       // of points
+  std::vector<unsigned char> m_is_by_right;
 };
 
 } // namespace internal

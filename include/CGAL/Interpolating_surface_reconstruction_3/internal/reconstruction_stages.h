@@ -163,7 +163,7 @@ public:
     Kept_triangulation triangulation(m_cloud.positions());
     unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, insert, unused);
     if (closes_all_loops()) {
-      Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), builder, triangulation);
+      Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, triangulation);
       if (recover_corners(m_progress))
         unused = insert(m_progress);
       Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, triangulation);
