@@ -154,16 +154,6 @@ private:
   // Beside this weight of the nearest sample no other counts, and its derivative does not overflow yet.
   static constexpr double LARGEST_WEIGHT = 1e60;
 
-  static double squared_distance(const Local_box& box, const Local_point& x)
-  {
-    double result = 0.;
-    for (std::size_t a = 0; a != 3; ++a) {
-      const double c = x[int(a)], d = (std::max)({ box.low[a] - c, c - box.high[a], 0. });
-      result += d * d;
-    }
-    return result;
-  }
-
   // Of equally near ones, the one with the smallest index.
   void find_nearest(std::uint32_t index, const Local_point& x, Nearest& nearest) const
   {
@@ -178,7 +168,7 @@ private:
     }
     std::pair<double, std::uint32_t> children[8];
     for (std::uint32_t c = 0; c != node.number_of_children; ++c)
-      children[c] = { squared_distance(m_octree.node(node.first_child + c).box, x), node.first_child + c };
+      children[c] = { m_octree.node(node.first_child + c).box.squared_distance(x), node.first_child + c };
     std::sort(children, children + node.number_of_children);
     for (std::uint32_t c = 0; c != node.number_of_children; ++c)
       if (children[c].first <= nearest.squared_distance)
@@ -191,7 +181,7 @@ private:
   {
     const Point_octree_3::Node& node = m_octree.node(index);
     const double reach = support * m_largest_radius[index];
-    if (squared_distance(node.box, x) > reach * reach)
+    if (node.box.squared_distance(x) > reach * reach)
       return;
     if (node.number_of_children == 0)
       for (Point_index i = node.begin; i != node.end; ++i)

@@ -78,12 +78,7 @@ private:
   void push(std::uint32_t i)
   {
     const Point_octree_3::Node& n = m_octree.node(i);
-    const Local_point& p = m_points[m_center];
-    double d[3];
-    // like the difference of two points, so that rounding does not put a box behind its points
-    for (std::size_t a = 0; a != 3; ++a)
-      d[a] = (std::max)({ n.box.low[a] - p[int(a)], p[int(a)] - n.box.high[a], 0. });
-    m_nodes.push_back(Found_node{ Local_vector(d[0], d[1], d[2]).squared_length(), n.begin, i });
+    m_nodes.push_back(Found_node{ n.box.squared_distance(m_points[m_center]), n.begin, i });
     std::push_heap(m_nodes.begin(), m_nodes.end(), is_farther);
   }
 

@@ -59,6 +59,18 @@ struct Local_box
             is_between(low[2], p.z(), high[2])) != 0;
   }
 
+  // To the nearest point of the box. Like the difference of two points, so that rounding does not put a box behind its
+  // points.
+  double squared_distance(const Local_point& p) const
+  {
+    double result = 0.;
+    for (std::size_t a = 0; a != 3; ++a) {
+      const double x = p[static_cast<int>(a)], d = (std::max)({ low[a] - x, x - high[a], 0. });
+      result += d * d;
+    }
+    return result;
+  }
+
   Local_box enlarged(double by) const
   {
     return Local_box{ { low[0] - by, low[1] - by, low[2] - by }, { high[0] + by, high[1] + by, high[2] + by } };

@@ -18,7 +18,6 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -56,19 +55,18 @@ public:
 private:
   static bool is_steep(double height, double squared_distance) { return 2. * height * height >= squared_distance; }
 
-  // Whether points of the box can be near enough, and at least as high as at its highest corner.
+  // Whether the box is near enough, and its nearest point would be steep if it were as high as the highest one.
   static bool may_have_any(const Local_box& box, const Local_point& p, const Local_vector& normal,
                            double squared_radius)
   {
-    double squared_distance = 0., low = 0., high = 0.;
+    double low = 0., high = 0.;
     for (int a = 0; a != 3; ++a) {
       const auto axis = static_cast<std::size_t>(a);
-      const double to_low = box.low[axis] - p[a], to_high = box.high[axis] - p[a],
-                   distance = (std::max)({ to_low, -to_high, 0. });
-      squared_distance += distance * distance;
-      low += (std::min)(normal[a] * to_low, normal[a] * to_high);
-      high += (std::max)(normal[a] * to_low, normal[a] * to_high);
+      const double at_low = normal[a] * (box.low[axis] - p[a]), at_high = normal[a] * (box.high[axis] - p[a]);
+      low += (std::min)(at_low, at_high);
+      high += (std::max)(at_low, at_high);
     }
+    const double squared_distance = box.squared_distance(p);
     return squared_distance <= squared_radius && is_steep((std::max)(high, -low), squared_distance);
   }
 
