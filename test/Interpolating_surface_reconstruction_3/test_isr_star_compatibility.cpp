@@ -34,15 +34,16 @@ Star_compatibility voted(const Star_table& stars, const Known_predicates& predic
   return result;
 }
 
-// Agreed triangles that the star of their smallest vertex reports, with the orientation of that star.
+// Agreed triangles that the star of their smallest vertex reports, with the orientation of a star that ties them.
 Triples agreed_triangles(Star_compatibility& compatibility)
 {
   Triples result;
   for (Point_index p = 0; p != compatibility.stars().size(); ++p)
-    compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+    compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot s, Point_index, Point_index a, Point_index b) {
       if (p > a || p > b)
         return;
-      const bool is_flipped = compatibility.orientations().find(p).is_flipped;
+      const Star_compatibility::Tie tie = compatibility.tie(p, s);
+      const bool is_flipped = compatibility.orientations().find(tie.star).is_flipped != tie.is_flipped;
       result.push_back(is_flipped ? Triple{ p, b, a } : Triple{ p, a, b });
     });
   return result;
@@ -195,6 +196,46 @@ void test_spoilt_star()
   ISR_CHECK(found.size() < expected.size() && found.size() + 6 >= expected.size());
 }
 
+// The star of a conflicting point may see parts of the surface the other way round, or parts of several surfaces.
+void test_star_that_turns_a_fan()
+{
+  begin_case("a star that turns a fan");
+  const Mesh mesh = globe(8, 12);
+  Links links = links_of(mesh.points.size(), mesh.triples);
+  const Link whole = links[40];
+  ISR_CHECK_EQUAL(whole.size(), 6u);
+  links[40] = { whole[0], whole[1], whole[2], GAP, whole[5], whole[4], whole[3], GAP };
+  for (std::uint64_t seed : { 1u, 2u, 3u }) {
+    const Star_table stars = star_table(disguised(links, seed));
+    Star_compatibility compatibility = voted(stars);
+    const Triples expected = canonical(mesh.triples), turned_over = canonical(turned(mesh.triples));
+    const Triples found = canonical(agreed_triangles(compatibility));
+    ISR_CHECK_EQUAL(found.size() + 2, expected.size());
+    ISR_CHECK(std::includes(expected.begin(), expected.end(), found.begin(), found.end()) ||
+              std::includes(turned_over.begin(), turned_over.end(), found.begin(), found.end()));
+  }
+
+  begin_case("a star that sees two surfaces");
+  Links two = links_of(mesh.points.size(), mesh.triples);
+  const auto n = static_cast<Point_index>(two.size());
+  for (Point_index p = 0; p != n; ++p) {
+    Link link = two[p];
+    for (Point_index& q : link)
+      q = q == 40 ? 40 : n + q;
+    two.push_back(p == 40 ? Link() : link);
+  }
+  two[40] = { whole[0], whole[1], whole[2], GAP, n + whole[0], n + whole[1], n + whole[2], GAP };
+  const Star_table stars = star_table(two);
+  Star_compatibility compatibility = voted(stars);
+  const auto root = [&](Point_index p) { return compatibility.orientations().find(p).root; };
+  for (Point_index p = 0; p != n; ++p)
+    if (p != 40) {
+      ISR_CHECK(root(n + p) != root(whole[1]));
+      if (compatibility.is_point_agreed(p))
+        ISR_CHECK_EQUAL(root(p), root(whole[1]));
+    }
+}
+
 void test_moebius_band()
 {
   for (std::size_t n : { 5u, 7u, 21u }) {
@@ -316,6 +357,7 @@ int main()
   test_surface(globe(6, 9), 0, "closed surface");
   test_surface(sheet(6), 24, "surface with boundary");
   test_spoilt_star();
+  test_star_that_turns_a_fan();
   test_moebius_band();
   test_parallel();
   test_parity_union_find();

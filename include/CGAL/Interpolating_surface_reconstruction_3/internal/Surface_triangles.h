@@ -76,11 +76,13 @@ public:
     m_slots[p] = static_cast<Point_index>(m_open_points.size());
     m_open_points.push_back(p);
     m_corners.emplace_back();
-    m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+    m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot s, Point_index, Point_index a, Point_index b) {
       Triangle_index t = is_open(a) ? find_triangle(a, b, p) : is_open(b) ? find_triangle(b, p, a) : NO_TRIANGLE;
       if (t == NO_TRIANGLE) {
         t = static_cast<Triangle_index>(m_triangles.size());
-        m_triangles.push_back(Stored_triangle{ Triangle{ { p, a, b } }, p });
+        const Star_compatibility::Tie tie = m_compatibility.tie(p, s);
+        m_triangles.push_back(
+          Stored_triangle{ tie.is_flipped ? Triangle{ { p, b, a } } : Triangle{ { p, a, b } }, tie.star });
       }
       m_corners.back().push_back(corner(t, p));
     });

@@ -63,22 +63,20 @@ public:
     count_votes<ConcurrencyTag>(predicates, [] { return true; });
   }
 
-  // Ties the stars together triangle by triangle; a triangle that would make the surface
-  // non-orientable loses its agreement. Ends early if go_further() is false.
+  // Ties agreed triangles together that share an edge; one that would make the surface non-orientable loses its
+  // agreement. A star in conflict may see parts of the surface from different sides: at its point, only triangles side
+  // by side are tied. Ends early if go_further() is false.
   template <typename GoFurther>
   void orient(const GoFurther& go_further)
   {
     for (Point_index p = 0; p != m_stars.size() && (p % POINTS_PER_BLOCK != 0 || go_further()); ++p)
       for_each_agreed_triangle(p, [&](Slot s, Point_index, Point_index a, Point_index b) {
-        if (p > a || p > b)
-          return;
-        if (!m_orientations.unite(p, a, (m_slots[s] & FIRST_IS_FLIPPED) != 0) ||
-            !m_orientations.unite(p, b, (m_slots[s] & SECOND_IS_FLIPPED) != 0)) {
-          revoke(p, a, b);
-          revoke(a, b, p);
-          revoke(b, p, a);
-        }
+        if (p < a && p < b && !tie_stars(p, s))
+          revoke_agreement(p, a, b);
       });
+    for (Point_index p = 0; p != m_stars.size() && (p % POINTS_PER_BLOCK != 0 || go_further()); ++p)
+      if (!is_oriented(p))
+        tie_side_by_side(p);
   }
 
   void orient()
@@ -88,13 +86,16 @@ public:
 
   const Star_table& stars() const { return m_stars; }
 
-  bool is_point_agreed(Point_index p) const { return m_agreement[p] != Agreement::NONE; }
+  bool is_point_agreed(Point_index p) const
+  {
+    return m_agreement[p] == Agreement::WITH_GAP || m_agreement[p] == Agreement::CLOSED;
+  }
   // Whether the point is agreed and its star has a gap.
   bool is_point_on_boundary(Point_index p) const { return m_agreement[p] == Agreement::WITH_GAP; }
   std::size_t number_of_agreed_points() const
   {
-    return m_agreement.size() -
-           static_cast<std::size_t>(std::count(m_agreement.begin(), m_agreement.end(), Agreement::NONE));
+    return static_cast<std::size_t>(std::count(m_agreement.begin(), m_agreement.end(), Agreement::WITH_GAP) +
+                                    std::count(m_agreement.begin(), m_agreement.end(), Agreement::CLOSED));
   }
 
   bool is_star_open(Point_index p) const
@@ -117,7 +118,23 @@ public:
         visit(s, p, m_stars.neighbor(s), m_stars.neighbor(m_stars.next(p, s)));
   }
 
-  // Orientations of the stars, as far as agreed triangles tie them to each other.
+  // A star that ties an agreed triangle of the star of p, and whether the two see the triangle from different sides.
+  struct Tie
+  {
+    Point_index star;
+    bool is_flipped;
+  };
+
+  Tie tie(Point_index p, Slot s) const
+  {
+    if (is_oriented(p))
+      return Tie{ p, false };
+    const Point_index a = m_stars.neighbor(s), b = m_stars.neighbor(m_stars.next(p, s));
+    return is_oriented(a) ? Tie{ a, (m_slots[s] & FIRST_IS_FLIPPED) != 0 }
+                          : Tie{ b, (m_slots[s] & SECOND_IS_FLIPPED) != 0 };
+  }
+
+  // Orientations of the stars that tie triangles, as far as these tie them to each other.
   Parity_union_find& orientations() { return m_orientations; }
   const Parity_union_find& orientations() const { return m_orientations; }
 
@@ -125,6 +142,7 @@ private:
   enum class Agreement : unsigned char
   {
     NONE,
+    REVOKED, // was agreed before the stars were tied
     WITH_GAP,
     CLOSED
   };
@@ -176,6 +194,44 @@ private:
     return static_cast<std::uint8_t>(result);
   }
 
+  // Whether the star of the point is agreed or was, so that it is one oriented part of a surface.
+  bool is_oriented(Point_index p) const { return m_agreement[p] != Agreement::NONE; }
+
+  // Ties those of an agreed triangle of the star of p; false if it is non-orientable.
+  bool tie_stars(Point_index p, Slot s)
+  {
+    const Tie first = tie(p, s);
+    bool is_orientable = true;
+    const auto tie_to_first = [&](Point_index q, std::uint8_t is_flipped) {
+      if (q != first.star && is_oriented(q))
+        is_orientable =
+          m_orientations.unite(first.star, q, first.is_flipped != ((m_slots[s] & is_flipped) != 0)) && is_orientable;
+    };
+    tie_to_first(m_stars.neighbor(s), FIRST_IS_FLIPPED);
+    tie_to_first(m_stars.neighbor(m_stars.next(p, s)), SECOND_IS_FLIPPED);
+    return is_orientable;
+  }
+
+  // Ties the agreed triangles at a conflicting point that follow each other in its star.
+  void tie_side_by_side(Point_index p)
+  {
+    for (Slot s = m_stars.begin(p); s != m_stars.end(p); ++s) {
+      const Slot t = m_stars.next(p, s);
+      if (!is_triangle_agreed(s) || !is_triangle_agreed(t))
+        continue;
+      const Tie first = tie(p, s), second = tie(p, t);
+      if (!m_orientations.unite(first.star, second.star, first.is_flipped != second.is_flipped))
+        revoke_agreement(p, m_stars.neighbor(s), m_stars.neighbor(t));
+    }
+  }
+
+  void revoke_agreement(Point_index p, Point_index q, Point_index r)
+  {
+    revoke(p, q, r);
+    revoke(q, r, p);
+    revoke(r, p, q);
+  }
+
   void revoke(Point_index center, Point_index a, Point_index b)
   {
     for (Slot s = m_stars.begin(center); s != m_stars.end(center); ++s) {
@@ -183,7 +239,8 @@ private:
       if ((c == a && d == b) || (c == b && d == a))
         m_slots[s] = static_cast<std::uint8_t>(m_slots[s] & ~AGREED);
     }
-    m_agreement[center] = Agreement::NONE;
+    if (m_agreement[center] != Agreement::NONE)
+      m_agreement[center] = Agreement::REVOKED;
   }
 
   const Star_table& m_stars;
