@@ -6,6 +6,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 
 #include <algorithm>
@@ -193,6 +194,27 @@ void test_large_component()
   ISR_CHECK(sorted(part(s.triangles(), false)) == sorted(before));
 }
 
+// A surface for another one with a triangle too many.
+void test_exchange()
+{
+  begin_case("exchange of triangles");
+  const Mesh mesh = rough_globe(7, 9);
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  std::vector<Point_index> points;
+  for (Point_index p = 0; p != mesh.points.size(); ++p)
+    points.push_back(p);
+  std::vector<Builder::Triangle> added;
+  s.builder.for_each_triangle([&](const Builder::Triangle& t, auto) { added.push_back(t); });
+  added.push_back(Builder::Triangle{ { s.indices[20], s.indices[21], s.indices[40] } });
+  isr_internal::No_cancellation never;
+  ISR_CHECK(isr_internal::exchange_triangles(s.builder, points, added, never).empty());
+  ISR_CHECK(sorted(s.triangles()) == sorted(mesh.triples));
+  ISR_CHECK_EQUAL(isr_internal::exchange_triangles(s.builder, points, added, never, 1).size(), mesh.triples.size());
+  ISR_CHECK(s.triangles().size() <= mesh.triples.size() && s.triangles().size() + 1 >= mesh.triples.size());
+  ISR_CHECK(validation::is_oriented_manifold(mesh.points, s.triangles(), Kernel()));
+}
+
 // What is right stays as it is, and so do components with a boundary.
 void test_left_alone()
 {
@@ -374,6 +396,7 @@ int main()
   test_spike();
   test_two_components();
   test_large_component();
+  test_exchange();
   test_left_alone();
   test_unclosed_loops();
   test_sides();

@@ -60,7 +60,8 @@ public:
   { }
 
   // Only triangles stored from `first` on may cross others; the increasing points `unclosed` are on holes that could
-  // not be closed. Returns whether the surface has changed. Points may be left out. Ends early if cancelled.
+  // not be closed. Returns whether the surface has changed. Points may be left out, and small holes left. Ends early if
+  // cancelled.
   template <typename Progress>
   bool operator()(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed, Progress& progress)
   {
@@ -97,6 +98,10 @@ private:
   // Of the components that are replaced, all together, so that this takes seconds at most: it costs several times what
   // all else does.
   static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
+
+  // The replacement of a component may touch itself, but only at few points: the most triangles that are left out there,
+  // in parts of all.
+  static constexpr std::size_t PART_LEFT_OUT = 64;
 
   // Changes of labels that the search may try at each point in doubt.
   static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 256;
@@ -249,7 +254,8 @@ private:
   {
     if (added.empty())
       return false;
-    Triangles removed = exchange_triangles(m_builder, m_component, added, cancellation_point);
+    Triangles removed =
+      exchange_triangles(m_builder, m_component, added, cancellation_point, added.size() / PART_LEFT_OUT);
     if (removed.empty())
       return false;
     keep(std::move(removed), std::move(added));

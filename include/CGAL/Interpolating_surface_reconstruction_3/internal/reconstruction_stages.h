@@ -161,7 +161,8 @@ public:
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
     // Most of what these look at is the same.
     Kept_triangulation triangulation(m_cloud.positions());
-    unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, insert, unused);
+    const auto close_again = [&] { close(is_boundary, m_progress, on_verdict); };
+    unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, close_again, insert, unused);
     if (closes_all_loops()) {
       Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, triangulation);
       if (recover_corners(m_progress))
@@ -176,11 +177,12 @@ public:
   }
 
   // Removes crossings of the triangles stored from `first` on, and the loops of the points `unclosed`. The new
-  // triangles of a component may cross others, and so may points that were left out when they are inserted again.
-  // Returns the number of unused points, which was `unused`.
+  // triangles of a component may cross others, and so may what closes holes that they leave and points that were left
+  // out when they are inserted again. Returns the number of unused points, which was `unused`.
+  template <typename CloseAgain>
   std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
-                               Builder& builder, Kept_triangulation& triangulation, Point_insertion<Builder>& insert,
-                               std::size_t unused)
+                               Builder& builder, Kept_triangulation& triangulation, const CloseAgain& close_again,
+                               Point_insertion<Builder>& insert, std::size_t unused)
   {
     constexpr int MAXIMUM_PASSES = 2;
     Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder, triangulation);
@@ -189,6 +191,7 @@ public:
       if (!remove(first, unclosed, m_progress))
         break;
       unclosed.clear();
+      close_again();
       unused = insert(m_progress);
       first = next;
     }

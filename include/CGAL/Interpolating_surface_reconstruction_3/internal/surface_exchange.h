@@ -27,12 +27,13 @@ namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
 // Exchanges the triangles of the points, which are whole components, for the added ones. Returns the triangles removed;
-// none, with the surface as it was, if the gate of the builder refuses an added one.
+// none, with the surface as it was, if the gate of the builder refuses more of the added ones than `maximum_refused`.
 // `cancellation_point()` is called again and again and may throw, before anything changes.
 template <typename Builder, typename CancellationPoint>
 std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, const std::vector<Point_index>& points,
                                                             std::vector<std::array<Point_index, 3> > added,
-                                                            CancellationPoint& cancellation_point)
+                                                            CancellationPoint& cancellation_point,
+                                                            std::size_t maximum_refused = 0)
 {
   using Triangle = std::array<Point_index, 3>;
   std::vector<Triangle> removed;
@@ -47,15 +48,19 @@ std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, co
   const auto remove = [&](const Triangle& t) { builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
   std::for_each(removed.begin(), removed.end(), remove);
   std::sort(added.begin(), added.end());
-  for (std::size_t i = 0; i != added.size(); ++i)
-    if (builder.try_add(added[i][0], added[i][1], added[i][2]) != Triangle_verdict::ADDED) {
-      while (i-- != 0)
-        remove(added[i]);
-      for (const Triangle& t : removed)
-        builder.restore(t);
-      return {};
-    }
-  return removed;
+  std::size_t refused = 0, attached = 0; // the attached ones come to the front
+  for (std::size_t i = 0; i != added.size() && refused <= maximum_refused; ++i)
+    if (builder.try_add(added[i][0], added[i][1], added[i][2]) == Triangle_verdict::ADDED)
+      added[attached++] = added[i];
+    else
+      ++refused;
+  if (refused <= maximum_refused)
+    return removed;
+  while (attached-- != 0)
+    remove(added[attached]);
+  for (const Triangle& t : removed)
+    builder.restore(t);
+  return {};
 }
 
 } // namespace internal
