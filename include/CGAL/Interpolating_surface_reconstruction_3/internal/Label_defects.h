@@ -127,8 +127,10 @@ protected:
 
   void flip(const std::vector<Cell_index>& cells)
   {
-    for (Cell_index c : cells)
+    for (Cell_index c : cells) {
       m_labelling.flip(c);
+      m_stars.flip(c);
+    }
   }
 
   bool is_at_surface(const std::vector<Cell_index>& cells) const
@@ -148,7 +150,8 @@ protected:
       result += m_labelling.gain(c);
       m_labelling.flip(c);
     }
-    flip(cells);
+    for (Cell_index c : cells)
+      m_labelling.flip(c);
     return result;
   }
 
