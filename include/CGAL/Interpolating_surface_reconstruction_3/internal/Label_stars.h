@@ -68,6 +68,8 @@ public:
     }
   }
 
+  bool has_cells(std::size_t v) const { return star_size(v) != 0; }
+
   // Whether the vertex has more cells than a star can have.
   bool is_hub(std::size_t v) const { return star_size(v) > MAXIMUM_CELLS; }
 
