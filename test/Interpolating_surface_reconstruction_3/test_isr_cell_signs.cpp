@@ -267,6 +267,37 @@ void test_stars_and_fans()
   }
 }
 
+// Stars that are told of changes know the labels; what changes for a question only is not kept.
+void test_stars_after_changes()
+{
+  begin_case("stars of cells whose labels change");
+  const Cells s(random_samples(500, 8));
+  in::Oriented_labelling labelling(s.cells, s.positions, s.normals, s.signs());
+  in::Label_stars<in::Oriented_labelling> stars(s.cells, labelling);
+  Random random(9);
+  int differences = 0;
+  for (int change = 0; change != 3000; ++change) {
+    const auto c = static_cast<Cell_index>(random.below(s.cells.size()));
+    std::array<std::size_t, 4> expected{};
+    for (std::size_t i = 0; i != 4; ++i)
+      if (s.cells[c].vertices[i] != in::NO_POINT) {
+        const std::size_t before = stars.count_components(s.cells[c].vertices[i]);
+        expected[i] = stars.count_components(s.cells[c].vertices[i], c);
+        ISR_CHECK_EQUAL(stars.count_components(s.cells[c].vertices[i]), before);
+        differences += expected[i] != before ? 1 : 0;
+      }
+    labelling.flip(c);
+    stars.flip(c);
+    in::Label_components<in::Oriented_labelling> components(s.cells, labelling);
+    for (std::size_t i = 0; i != 4; ++i)
+      if (s.cells[c].vertices[i] != in::NO_POINT) {
+        ISR_CHECK_EQUAL(stars.count_components(s.cells[c].vertices[i]), expected[i]);
+        ISR_CHECK_EQUAL(components.find(s.cells[c].vertices[i], c), expected[i]);
+      }
+  }
+  ISR_CHECK(differences > 1000);
+}
+
 // Of a labelling of nodes by the bits of a number.
 float cost_of(unsigned labels, const std::vector<float>& inside_costs,
               const std::vector<in::Minimum_cut::Pair_cost>& pairs)
@@ -467,6 +498,7 @@ int main()
   test_gain();
   test_untangling();
   test_stars_and_fans();
+  test_stars_after_changes();
   test_least_cut();
   test_minimum_cut();
   test_minimum_cut_of_noise();

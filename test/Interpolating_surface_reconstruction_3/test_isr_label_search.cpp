@@ -246,8 +246,8 @@ void test_cost_of_change(const Points& points, std::uint64_t seed, bool counts_l
   s.fill();
   const std::vector<double> costs = costs_of_defects(s);
   Bending_energy<Labels> bending(
-    s.cells, s.positions, s.labels, [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; },
-    No_cancellation());
+    s.cells, s.positions, s.labels, [&](Cell_index c) { return s.is_finite(c); },
+    [](Cell_index, std::size_t) { return false; }, [](Point_index) { return true; }, No_cancellation());
   if (counts_lost_corners)
     bending.count_lost_corners([](Point_index) { return true; });
   Random random(seed);

@@ -42,22 +42,28 @@ class Bending_energy
 public:
   using Cell_index = Cell_complex::Cell_index;
 
-  // Only points with `is_in_scope(p)` must be manifold. From now on, all labels change by change().
-  // `cancellation_point()` is called again and again and may throw.
-  template <typename IsAgreed, typename IsInScope, typename Cancellation_point>
+  // Only cells with `is_free(c)`, which are finite, can be asked for and change. Only points with `is_in_scope(p)` must be
+  // manifold. From now on, all labels change by change(). `cancellation_point()` is called again and again and may throw.
+  template <typename IsFree, typename IsAgreed, typename IsInScope, typename Cancellation_point>
   Bending_energy(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
-                 const IsAgreed& is_agreed, const IsInScope& is_in_scope, Cancellation_point&& cancellation_point)
+                 const IsFree& is_free, const IsAgreed& is_agreed, const IsInScope& is_in_scope,
+                 Cancellation_point&& cancellation_point)
     : m_cells(cells), m_points(points), m_labelling(labelling), m_edges(cells, points, labelling),
-      m_stars(cells, labelling), m_defect_costs(cells.points().size(), 0.),
+      m_stars(cells, labelling), m_defect_costs(cells.points().size(), NO_COST),
       m_defects(cells.points().size(), NOT_COUNTED), m_agreed(cells.size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
-      for (std::size_t i = 0; i != 4; ++i)
+      if (!is_free(c))
+        continue;
+      for (std::size_t i = 0; i != 4; ++i) {
         if (is_agreed(c, i))
           m_agreed[c] = static_cast<unsigned char>(m_agreed[c] | (1u << i));
+        const std::size_t v = position_of(cells[c].vertices[i]);
+        if (m_defect_costs[v] == NO_COST)
+          m_defect_costs[v] = is_in_scope(cells[c].vertices[i]) ? find_defect_cost(v) : 0.;
+      }
     }
-    find_defect_costs(is_in_scope, cancellation_point);
   }
 
   // Whether the energy around the finite cell can be told: no vertex is a hub, a point of very many cells.
@@ -72,23 +78,28 @@ public:
   {
     m_last = c;
     double result = 0.;
-    for (std::size_t i = 0; i != 4; ++i)
-      m_bent_edges[i] = m_edges.number_of_bent(position_of(m_cells[c].vertices[i]));
+    std::uint32_t corners = 0,
+                  arcs = 0; // at each vertex, in bytes: the edges and facets of the cell that are on the surface
+    std::array<int, 4> bent_edges{}; // at each vertex after the change, of those looked at
+    if (!m_is_corner.empty())
+      for (std::size_t i = 0; i != 4; ++i)
+        bent_edges[i] = m_edges.number_of_bent(position_of(m_cells[c].vertices[i]));
     for (std::size_t e = 0; e != Edges::EDGES_OF_CELL; ++e) {
       const std::size_t i = Edges::ENDS[e][0], j = Edges::ENDS[e][1];
       const typename Edges::Change change = m_edges.change(c, e);
       result += change.cost;
-      m_is_edge_on_surface[i][j] = m_is_edge_on_surface[j][i] = change.is_on_surface;
-      for (std::size_t end : { i, j })
-        m_bent_edges[end] += change.bent_edges;
+      corners += std::uint32_t(change.is_on_surface) * (byte(i) + byte(j));
+      bent_edges[i] += change.bent_edges;
+      bent_edges[j] += change.bent_edges;
     }
     for (std::size_t i = 0; i != 4; ++i) {
-      m_is_facet_on_surface[i] = m_labelling.is_surface(c, i);
+      const bool is_on_surface = m_labelling.is_surface(c, i);
+      arcs += std::uint32_t(is_on_surface) * (ALL_BYTES - byte(i));
       if (m_agreement != 0. && is_agreed(c, i))
-        result += (m_is_facet_on_surface[i] ? 1. : -1.) * worth_of_agreement(Cell_complex::facet(m_cells[c], i));
+        result += (is_on_surface ? 1. : -1.) * worth_of_agreement(Cell_complex::facet(m_cells[c], i));
     }
     for (std::size_t i = 0; i != 4; ++i)
-      result += cost_at_point(c, i);
+      result += cost_at_point(c, i, arcs >> 8 * i & 3, corners >> 8 * i & 3, bent_edges[i]);
     return result;
   }
 
@@ -161,51 +172,59 @@ private:
   // Edges of mean length that a defect costs.
   static constexpr double DEFECT_EDGES = 3.;
 
+  // Of vertices that are not asked for.
+  static constexpr double NO_COST = -1.;
+
   // In place of a number of defects. A lost corner is one where there is no other.
   static constexpr int NOT_COUNTED = -1, LOST_CORNER = -2;
+
+  // The defects that the change of a triangle leads to, after the arcs and the corners of it that are on the cycle. An
+  // arc has two corners.
+  static constexpr int DEFECTS_BESIDE_CYCLE[4][4] = { { 1, 1, 2, 3 }, { 0, 0, 0, 1 }, { 0, 0, 0, 0 }, { 1, 1, 1, 1 } };
+
+  static constexpr std::uint32_t ALL_BYTES = 0x01010101;
+
+  static constexpr std::uint32_t byte(std::size_t i) { return std::uint32_t(1) << 8 * i; }
 
   void flip(Cell_index c)
   {
     m_labelling.flip(c);
     m_edges.flip(c);
+    m_stars.flip(c);
     m_last = Cell_complex::NO_CELL;
   }
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
 
-  // After the mean length of the edges of the surface at a point, or of all edges if it is off the surface.
-  template <typename IsInScope, typename Cancellation_point>
-  void find_defect_costs(const IsInScope& is_in_scope, Cancellation_point& cancellation_point)
+  // After the mean length of the edges of the surface at the vertex, or of all edges if it is off the surface. An edge
+  // counts for each of its facets.
+  double find_defect_cost(std::size_t v) const
   {
-    std::vector<std::uint32_t> edges(m_defect_costs.size(), 0), edges_of_surface(m_defect_costs.size(), 0);
+    const Point_index p = m_cells.points()[v];
     for (const bool is_surface : { true, false }) {
-      for (Cell_index c = 0; c != m_cells.size(); ++c) {
-        cancellation_point();
-        for (std::size_t i = 0; i != 4; ++i)
-          if (m_cells[c].neighbors[i] > c && (!is_surface || m_labelling.is_surface(c, i)))
-            add_edges(Cell_complex::facet(m_cells[c], i), edges_of_surface, edges);
-      }
-      edges_of_surface = edges;
-    }
-    for (std::size_t v = 0; v != m_defect_costs.size(); ++v)
-      m_defect_costs[v] =
-        edges[v] != 0 && is_in_scope(m_cells.points()[v]) ? DEFECT_EDGES * m_defect_costs[v] / edges[v] : 0.;
-  }
-
-  // Adds and counts the lengths of the edges of a facet at the points that have no others.
-  void add_edges(const std::array<Point_index, 3>& f, const std::vector<std::uint32_t>& others,
-                 std::vector<std::uint32_t>& edges)
-  {
-    if (Cell_complex::is_infinite(f))
-      return;
-    for (std::size_t i = 0; i != 3; ++i) {
-      const std::array<Point_index, 2> edge{ { f[i], f[(i + 1) % 3] } };
-      for (Point_index p : edge)
-        if (others[position_of(p)] == 0) {
-          m_defect_costs[position_of(p)] += length(edge[0], edge[1]);
-          ++edges[position_of(p)];
+      double sum = 0.;
+      std::size_t edges = 0;
+      m_stars.for_each_cell(v, [&](Cell_index c) {
+        for (std::size_t i = 0; i != 4; ++i) {
+          if (m_cells[c].neighbors[i] <= c || m_cells[c].vertices[i] == p ||
+              (is_surface && !m_labelling.is_surface(c, i)))
+            continue;
+          const std::array<Point_index, 3> f = Cell_complex::facet(m_cells[c], i);
+          if (Cell_complex::is_infinite(f))
+            continue;
+          for (std::size_t k = 0; k != 3; ++k) {
+            const Point_index q = f[k], r = f[(k + 1) % 3];
+            if (q == p || r == p) {
+              sum += length(q, r);
+              ++edges;
+            }
+          }
         }
+      });
+      if (edges != 0)
+        return DEFECT_EDGES * sum / double(edges);
     }
+    return 0.;
   }
 
   bool is_agreed(Cell_index c, std::size_t i) const { return (m_agreed[c] >> i & 1) != 0; }
@@ -218,18 +237,18 @@ private:
   double length(Point_index p, Point_index q) const { return std::sqrt((m_points[q] - m_points[p]).squared_length()); }
 
   // The change of the defects at vertex i. Where there are none, the surface meets a sphere around the point in
-  // one cycle of arcs, and it is known what the triangle of the cell there does to it.
-  double cost_at_point(Cell_index c, std::size_t i)
+  // one cycle of arcs, and it is known what the triangle of the cell there, which has `arcs` and `corners` on it, does
+  // to it.
+  double cost_at_point(Cell_index c, std::size_t i, std::size_t arcs, std::size_t corners, int bent_edges)
   {
-    const Point_index p = m_cells[c].vertices[i];
-    const std::size_t v = position_of(p);
+    const std::size_t v = position_of(m_cells[c].vertices[i]);
     m_defects_after_change[i] = 0;
     if (m_defect_costs[v] == 0.)
       return 0.;
     const int before = defects(v);
     int& after = m_defects_after_change[i];
-    after = before > 0 ? m_stars.defects(v, c) : defects_beside_cycle(i);
-    if (after == 0 && m_bent_edges[i] == 0 && is_lost_corner(v, c))
+    after = before > 0 ? m_stars.defects(v, c) : DEFECTS_BESIDE_CYCLE[arcs][corners];
+    if (!m_is_corner.empty() && after == 0 && bent_edges == 0 && is_lost_corner(v, c))
       after = LOST_CORNER;
     return m_defect_costs[v] * double(number(after) - number(before));
   }
@@ -263,18 +282,6 @@ private:
     test.add_facet(m_points[f[i % 2 == 0 ? 1 : 2]], m_points[f[i % 2 == 0 ? 2 : 1]]);
   }
 
-  // The defects that the change of the last cell leads to at vertex i if there are none.
-  int defects_beside_cycle(std::size_t i) const
-  {
-    int arcs = 0, corners = 0;
-    for (std::size_t j = 0; j != 4; ++j)
-      if (j != i) {
-        arcs += m_is_facet_on_surface[j] ? 1 : 0;
-        corners += m_is_edge_on_surface[i][j] ? 1 : 0;
-      }
-    return arcs == 0 ? (std::max)(corners, 1) : arcs == 1 ? corners - 2 : arcs == 2 ? 0 : 1;
-  }
-
   // Returns those before.
   Defects set_defects(Cell_index c, const Defects& defects)
   {
@@ -303,17 +310,13 @@ private:
   Labelling& m_labelling;
   Edges m_edges;
   Label_stars<Labelling> m_stars;
-  std::vector<double> m_defect_costs;     // of the vertices; 0 out of the scope
+  std::vector<double> m_defect_costs;     // of the vertices of free cells; 0 out of the scope
   std::vector<int> m_defects;             // of the vertices, now
   std::vector<unsigned char> m_is_corner; // of the vertices, whether it counts if it is lost; empty if none does
   std::vector<unsigned char> m_agreed;    // facets of the cells, as bits
   double m_agreement = 0.;
   Cell_index m_last = Cell_complex::NO_CELL; // cell whose cost has been told
-  // Of the last cell.
-  Defects m_defects_after_change{};
-  std::array<std::array<bool, 4>, 4> m_is_edge_on_surface{};
-  std::array<bool, 4> m_is_facet_on_surface{};
-  std::array<int, 4> m_bent_edges{}; // at its vertices after its change, of those looked at
+  Defects m_defects_after_change{};          // of the last cell
 };
 
 } // namespace internal

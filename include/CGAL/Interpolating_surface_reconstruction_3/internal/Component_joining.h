@@ -35,6 +35,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -121,7 +122,8 @@ private:
   template <typename Progress, typename CancellationPoint>
   bool join(const std::vector<Point_index>& group, Progress& progress, CancellationPoint& cancellation_point)
   {
-    const Cell_complex cells = m_triangulation(group, cancellation_point);
+    const std::shared_ptr<const Cell_complex> kept = m_triangulation(group, cancellation_point);
+    const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return false;
     Triangles old;

@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -113,7 +114,8 @@ private:
   bool recover(const std::vector<Point_index>& used, const std::vector<Point_index>& corners, const Lost_corners& lost,
                Progress& progress, CancellationPoint& cancellation_point)
   {
-    const Cell_complex cells = m_triangulation(used, cancellation_point);
+    const std::shared_ptr<const Cell_complex> kept = m_triangulation(used, cancellation_point);
+    const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return false;
     const std::vector<Local_vector> normals = vertex_normals(m_points, m_triangles);

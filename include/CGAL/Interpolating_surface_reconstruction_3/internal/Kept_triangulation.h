@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Delaunay cells of sets of points, one after the other. The triangulation of the largest set so far is kept, and
-// grows into those of sets that it is a part of: the cells do not depend on the order of insertion.
+// Delaunay cells of sets of points, one after the other. The triangulation of the largest set so far is kept with its
+// cells, and grows into those of sets that it is a part of: the cells do not depend on the order of insertion.
 class Kept_triangulation
 {
 public:
@@ -37,22 +37,27 @@ public:
 
   // `points` are increasing. `cancellation_point()` is called again and again and may throw: nothing is kept then.
   template <typename Cancellation_point>
-  Cell_complex operator()(const std::vector<Point_index>& points, Cancellation_point& cancellation_point)
+  std::shared_ptr<const Cell_complex> operator()(const std::vector<Point_index>& points,
+                                                 Cancellation_point& cancellation_point)
   {
-    if (points.size() < m_points.size())
-      return Cell_complex(m_positions, points, cancellation_point);
+    if (m_cells && points == m_cells->points())
+      return m_cells;
+    if (m_cells && points.size() < m_cells->points().size())
+      return std::make_shared<const Cell_complex>(m_positions, points, cancellation_point);
     std::unique_ptr<Site_triangulation> triangulation = std::move(m_triangulation);
-    std::vector<Point_index> old = std::exchange(m_points, {}), added;
+    std::vector<Point_index> old, added;
+    if (const std::shared_ptr<const Cell_complex> cells = std::move(m_cells))
+      old = cells->points();
     if (!triangulation || !std::includes(points.begin(), points.end(), old.begin(), old.end())) {
       triangulation = std::make_unique<Site_triangulation>(m_positions);
       old.clear();
     }
     std::set_difference(points.begin(), points.end(), old.begin(), old.end(), std::back_inserter(added));
     triangulation->insert(added, cancellation_point);
-    Cell_complex result(*triangulation, points, cancellation_point);
+    const auto result = std::make_shared<const Cell_complex>(*triangulation, points, cancellation_point);
     if (triangulation->is_usable()) {
       m_triangulation = std::move(triangulation);
-      m_points = points;
+      m_cells = result;
     }
     return result;
   }
@@ -60,7 +65,7 @@ public:
 private:
   const std::vector<Local_point>& m_positions;
   std::unique_ptr<Site_triangulation> m_triangulation;
-  std::vector<Point_index> m_points; // of the triangulation, increasing
+  std::shared_ptr<const Cell_complex> m_cells; // of the triangulation, if there is one
 };
 
 } // namespace internal

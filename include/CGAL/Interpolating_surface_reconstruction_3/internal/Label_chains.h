@@ -59,16 +59,16 @@ public:
   Label_chains(const Cell_complex& cells, const std::vector<Local_point>& points, Labelling& labelling,
                const IsFree& is_free, const IsSeed& is_seed, const IsAgreed& is_agreed, const IsInScope& is_in_scope,
                Cancellation_point&& cancellation_point)
-    : m_cells(cells), m_labelling(labelling),
-      m_energy(cells, points, labelling, is_agreed, is_in_scope, cancellation_point),
-      m_has_small_part(cells, labelling, m_energy.stars()), m_state(cells.size(), State::FIXED),
-      m_chain_of(cells.size(), 0), m_waking_of(cells.size(), 0), m_last_wakings(cells.points().size(), 0)
+    : m_cells(cells), m_labelling(labelling), m_state(states(cells, is_free, is_seed, cancellation_point)),
+      m_energy(
+        cells, points, labelling, [&](Cell_index c) { return m_state[c] != State::FIXED; }, is_agreed, is_in_scope,
+        cancellation_point),
+      m_has_small_part(cells, labelling, m_energy.stars()), m_chain_of(cells.size(), 0), m_waking_of(cells.size(), 0),
+      m_last_wakings(cells.points().size(), 0)
   {
-    for (Cell_index c = 0; c != cells.size(); ++c) {
-      cancellation_point();
-      if (!Cell_complex::is_infinite(cells[c]) && is_free(c) && m_energy.has_no_hub(c))
-        m_state[c] = is_seed(c) ? State::AWAKE : State::ASLEEP;
-    }
+    for (Cell_index c = 0; c != cells.size(); ++c)
+      if (m_state[c] != State::FIXED && !m_energy.has_no_hub(c))
+        m_state[c] = State::FIXED;
   }
 
   Energy& energy() { return m_energy; }
@@ -169,6 +169,20 @@ private:
     AWAKE,
     ASLEEP
   };
+
+  // Hubs are still to be found.
+  template <typename IsFree, typename IsSeed, typename Cancellation_point>
+  static std::vector<State> states(const Cell_complex& cells, const IsFree& is_free, const IsSeed& is_seed,
+                                   Cancellation_point& cancellation_point)
+  {
+    std::vector<State> result(cells.size(), State::FIXED);
+    for (Cell_index c = 0; c != cells.size(); ++c) {
+      cancellation_point();
+      if (!Cell_complex::is_infinite(cells[c]) && is_free(c))
+        result[c] = is_seed(c) ? State::AWAKE : State::ASLEEP;
+    }
+    return result;
+  }
 
   // A cell, and what its change costs.
   struct Link
@@ -277,10 +291,10 @@ private:
 
   const Cell_complex& m_cells;
   Labelling& m_labelling;
+  std::vector<State> m_state; // of each cell
   Energy m_energy;
   Small_surface_part<Labelling> m_has_small_part;
   std::size_t m_effort = 0;              // that is left
-  std::vector<State> m_state;            // of each cell
   std::vector<std::uint32_t> m_chain_of; // of each cell: the last chain that came to it
   std::uint32_t m_chain = 0;
   std::vector<std::uint32_t> m_waking_of, m_last_wakings; // of each cell and of each vertex: the last one

@@ -72,17 +72,15 @@ protected:
     : m_cells(cells), m_labelling(labelling), m_is_counted(cells.points().size(), 0),
       m_defects(cells.points().size(), 0), m_stars(cells, labelling)
   {
-    for (Cell_index c = 0; c != cells.size(); ++c) {
+    for (std::size_t v = 0; v != m_is_counted.size(); ++v) {
       cancellation_point();
-      for (Point_index p : cells[c].vertices)
-        if (p != NO_POINT && is_in_scope(p))
-          m_is_counted[position_of(p)] = 1;
-    }
-    for (std::size_t v = 0; v != m_is_counted.size(); ++v)
-      if (m_is_counted[v] != 0 && m_stars.is_hub(v)) {
+      if (!m_stars.has_cells(v) || !is_in_scope(cells.points()[v]))
+        continue;
+      if (m_stars.is_hub(v))
         m_hubs.push_back(Hub{ v, m_stars.first_cell(v), 0 });
-        m_is_counted[v] = 0;
-      }
+      else
+        m_is_counted[v] = 1;
+    }
   }
 
   std::size_t position_of(Point_index p) const { return m_cells.position(p); }
@@ -127,8 +125,10 @@ protected:
 
   void flip(const std::vector<Cell_index>& cells)
   {
-    for (Cell_index c : cells)
+    for (Cell_index c : cells) {
       m_labelling.flip(c);
+      m_stars.flip(c);
+    }
   }
 
   bool is_at_surface(const std::vector<Cell_index>& cells) const
@@ -148,7 +148,8 @@ protected:
       result += m_labelling.gain(c);
       m_labelling.flip(c);
     }
-    flip(cells);
+    for (Cell_index c : cells)
+      m_labelling.flip(c);
     return result;
   }
 

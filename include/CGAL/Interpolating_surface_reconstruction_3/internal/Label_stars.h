@@ -19,6 +19,7 @@
 
 #include <boost/multiprecision/integer.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,7 @@ public:
 
   Label_stars(const Cell_complex& cells, const Labelling& labelling)
     : m_cells(cells), m_labelling(labelling), m_places(cells.size()), m_begins(cells.points().size() + 1, 0),
-      m_neighbor_begins(cells.points().size(), NO_STAR)
+      m_neighbor_begins(cells.points().size(), NO_STAR), m_labels(cells.points().size(), 0)
   {
     for (Cell_index c = 0; c != cells.size(); ++c)
       for (Point_index p : cells[c].vertices)
@@ -53,6 +54,21 @@ public:
         if (p != NO_POINT)
           m_star_cells[--m_begins[cells.position(p)]] = static_cast<Cell_index>(c);
   }
+
+  // Tells the stars that the label of a cell has changed; they must know of every change.
+  void flip(Cell_index c)
+  {
+    const auto& vertices = m_cells[c].vertices;
+    for (std::size_t i = 0; i != 4; ++i) {
+      if (vertices[i] == NO_POINT)
+        continue;
+      const std::size_t v = m_cells.position(vertices[i]);
+      if (m_neighbor_begins[v] != NO_STAR && star_size(v) <= BITS)
+        m_labels[v] ^= bit(m_places[c][i]);
+    }
+  }
+
+  bool has_cells(std::size_t v) const { return star_size(v) != 0; }
 
   // Whether the vertex has more cells than a star can have.
   bool is_hub(std::size_t v) const { return star_size(v) > MAXIMUM_CELLS; }
@@ -71,8 +87,9 @@ public:
   {
     if (star_size(v) > BITS)
       return find_components(v, changed);
-    const std::uint64_t labels = labels_of_star(v, changed);
     const std::size_t neighbor_begin = find_neighbors(v);
+    const std::uint64_t labels =
+      changed == Cell_complex::NO_CELL ? m_labels[v] : m_labels[v] ^ bit(place_of(changed, m_cells.points()[v]));
     const std::array<unsigned char, 3>* const neighbors = m_neighbors.data() + neighbor_begin;
     std::uint64_t left = ~std::uint64_t(0) >> (BITS - star_size(v));
     std::size_t components = 0;
@@ -167,13 +184,11 @@ private:
 
   static std::uint64_t bit(std::size_t k) { return std::uint64_t(1) << k; }
 
-  std::uint64_t labels_of_star(std::size_t v, Cell_index changed) const
+  // In the star of its vertex p, of which the neighbors have been found.
+  unsigned char place_of(Cell_index c, Point_index p) const
   {
-    std::uint64_t result = 0;
-    const Cell_index* const star = m_star_cells.data() + m_begins[v];
-    for (std::size_t k = 0, n = star_size(v); k != n; ++k)
-      result |= m_labelling.label(star[k]) != (star[k] == changed) ? bit(k) : 0;
-    return result;
+    const auto& vertices = m_cells[c].vertices;
+    return m_places[c][vertices[0] == p ? 0 : vertices[1] == p ? 1 : vertices[2] == p ? 2 : 3];
   }
 
   // The position in m_neighbors of those of the star of vertex v, which is no hub.
@@ -186,29 +201,38 @@ private:
     return m_neighbor_begins[v];
   }
 
+  // Also the labels.
   void collect_neighbors(std::size_t v)
   {
     const Point_index p = m_cells.points()[v];
-    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
-      m_places[m_star_cells[k]] = static_cast<unsigned char>(k - m_begins[v]);
-    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k) {
-      const Cell_complex::Cell& cell = m_cells[m_star_cells[k]];
+    const Cell_index* const star = m_star_cells.data() + m_begins[v];
+    const std::size_t size = star_size(v);
+    for (std::size_t k = 0; k != size; ++k) {
+      const auto& vertices = m_cells[star[k]].vertices;
+      const auto i = static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), p) - vertices.begin());
+      m_places[star[k]][i] = static_cast<unsigned char>(k);
+      if (k < BITS && m_labelling.label(star[k]))
+        m_labels[v] |= bit(k);
+    }
+    for (std::size_t k = 0; k != size; ++k) {
+      const Cell_complex::Cell& cell = m_cells[star[k]];
       std::array<unsigned char, 3> neighbors{};
       std::size_t n = 0;
       for (std::size_t i = 0; i != 4; ++i)
         if (cell.vertices[i] != p)
-          neighbors[n++] = m_places[cell.neighbors[i]];
+          neighbors[n++] = place_of(cell.neighbors[i], p);
       m_neighbors.push_back(neighbors);
     }
   }
 
   const Cell_complex& m_cells;
   const Labelling& m_labelling;
-  std::vector<unsigned char> m_places;                    // of the cells in the star that is being looked at
+  std::vector<std::array<unsigned char, 4> > m_places;    // of each cell in the stars of its vertices
   std::vector<std::uint32_t> m_begins;                    // of the star of each vertex in m_star_cells, and the end
   std::vector<Cell_index> m_star_cells;                   // increasing in each star
   std::vector<std::uint32_t> m_neighbor_begins;           // of the star of each vertex in m_neighbors, or NO_STAR
   std::vector<std::array<unsigned char, 3> > m_neighbors; // of cells, in their star
+  std::vector<std::uint64_t> m_labels; // of the cells in each star with neighbors, if not more than the bits
   // Of the components found last.
   std::size_t m_begin = 0, m_neighbor_begin = 0, m_size = 0;
   std::array<unsigned char, MAXIMUM_CELLS> m_component_of;

@@ -57,14 +57,15 @@ public:
     for (const Triangle& t : m_triangles)
       ++m_begins[cells.position(t[0]) + 1];
     std::partial_sum(m_begins.begin(), m_begins.end(), m_begins.begin());
-    doubt_other_triangles(is_in_doubt, cancellation_point);
-    find_sides(is_in_doubt, cancellation_point);
+    const std::vector<Facet_sides> sides = find_sides_at_triangles(is_in_doubt, cancellation_point);
+    find_sides(sides, is_in_doubt, cancellation_point);
   }
 
   Side operator[](Cell_index c) const { return m_sides[c]; }
 
 private:
-  static constexpr std::size_t NO_TRIANGLE = static_cast<std::size_t>(-1);
+  // Of a cell at its facets.
+  using Facet_sides = std::array<Side, 4>;
 
   static bool has_doubt(const Cell_complex::Cell& cell, const std::vector<unsigned char>& is_in_doubt)
   {
@@ -72,57 +73,60 @@ private:
                        [&](Point_index p) { return p != NO_POINT && is_in_doubt[p] != 0; });
   }
 
-  // The side of the triangle on which the cell with the facet lies, if there is the triangle.
-  Side side_of(Cell_index c, std::size_t i) const
-  {
-    Triangle f = Cell_complex::facet(m_cells[c], i);
-    if (Cell_complex::is_infinite(f))
-      return Side::UNKNOWN;
-    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    if (find(f) != NO_TRIANGLE)
-      return i % 2 == 0 ? Side::INSIDE : Side::OUTSIDE;
-    std::swap(f[1], f[2]);
-    if (find(f) != NO_TRIANGLE)
-      return i % 2 == 0 ? Side::OUTSIDE : Side::INSIDE;
-    return Side::UNKNOWN;
-  }
-
-  // The position of a triangle that begins at its smallest point; few have this point as the smallest one.
-  std::size_t find(const Triangle& t) const
-  {
-    const std::size_t v = m_cells.position(t[0]);
-    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
-      if (m_triangles[k][1] == t[1] && m_triangles[k][2] == t[2])
-        return k;
-    return NO_TRIANGLE;
-  }
-
+  // Also doubts the triangles that are no facets.
   template <typename CancellationPoint>
-  void doubt_other_triangles(std::vector<unsigned char>& is_in_doubt, CancellationPoint& cancellation_point) const
+  std::vector<Facet_sides> find_sides_at_triangles(std::vector<unsigned char>& is_in_doubt,
+                                                   CancellationPoint& cancellation_point) const
   {
+    std::vector<Facet_sides> sides(m_cells.size(),
+                                   Facet_sides{ { Side::UNKNOWN, Side::UNKNOWN, Side::UNKNOWN, Side::UNKNOWN } });
     std::vector<unsigned char> is_facet(m_triangles.size(), 0);
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
         Triangle f = Cell_complex::facet(m_cells[c], i);
-        if (m_cells[c].neighbors[i] < c || Cell_complex::is_infinite(f))
+        const Cell_index n = m_cells[c].neighbors[i];
+        if (n < c || Cell_complex::is_infinite(f))
           continue;
         std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-        for (int turn = 0; turn != 2; ++turn, std::swap(f[1], f[2])) {
-          const std::size_t found = find(f);
-          if (found != NO_TRIANGLE)
-            is_facet[found] = 1;
-        }
+        bool is_triangle = false, is_reversed_triangle = false;
+        for_each_triangle_from(f[0], [&](std::size_t k) {
+          const Triangle& t = m_triangles[k];
+          const bool is_same = t[1] == f[1] && t[2] == f[2], is_reversed = t[1] == f[2] && t[2] == f[1];
+          if (is_same || is_reversed)
+            is_facet[k] = 1;
+          is_triangle = is_triangle || is_same;
+          is_reversed_triangle = is_reversed_triangle || is_reversed;
+        });
+        if (!is_triangle && !is_reversed_triangle)
+          continue;
+        // Seen from its cell, a facet of even index is in counterclockwise order; sheets may lie on each other.
+        sides[c][i] = side(is_triangle == (i % 2 == 0));
+        const std::size_t j = m_cells.mirror(c, i);
+        sides[n][j] = side(is_triangle && is_reversed_triangle ? j % 2 == 0 : sides[c][i] == Side::OUTSIDE);
       }
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
       if (!is_facet[t])
         for (Point_index p : m_triangles[t])
           is_in_doubt[p] = 1;
+    return sides;
+  }
+
+  static Side side(bool is_inside) { return is_inside ? Side::INSIDE : Side::OUTSIDE; }
+
+  // Calls visit(position) for the triangles whose smallest point is p: few.
+  template <typename Visit>
+  void for_each_triangle_from(Point_index p, const Visit& visit) const
+  {
+    const std::size_t v = m_cells.position(p);
+    for (std::size_t k = m_begins[v]; k != m_begins[v + 1]; ++k)
+      visit(k);
   }
 
   // Cells at triangles first, then their neighbors across facets that are none.
   template <typename CancellationPoint>
-  void find_sides(const std::vector<unsigned char>& is_in_doubt, CancellationPoint& cancellation_point)
+  void find_sides(const std::vector<Facet_sides>& sides, const std::vector<unsigned char>& is_in_doubt,
+                  CancellationPoint& cancellation_point)
   {
     std::vector<Cell_index> reached;
     for (Cell_index c = 0; c != m_cells.size(); ++c) {
@@ -130,7 +134,7 @@ private:
       if (has_doubt(m_cells[c], is_in_doubt))
         continue;
       for (std::size_t i = 0; i != 4 && m_sides[c] == Side::UNKNOWN; ++i)
-        m_sides[c] = side_of(c, i);
+        m_sides[c] = sides[c][i];
       if (m_sides[c] != Side::UNKNOWN)
         reached.push_back(c);
     }

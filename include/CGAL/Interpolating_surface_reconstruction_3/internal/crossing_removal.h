@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -209,7 +210,8 @@ private:
   template <typename Progress, typename CancellationPoint>
   Triangles reconstruct(Progress& progress, CancellationPoint& cancellation_point)
   {
-    const Cell_complex cells = m_triangulation(m_component, cancellation_point);
+    const std::shared_ptr<const Cell_complex> kept = m_triangulation(m_component, cancellation_point);
+    const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return Triangles();
     Triangles old;

@@ -55,6 +55,7 @@ class Labelling_repair : private Label_defects<Labelling>
   using Base::m_is_counted;
   using Base::m_labelling;
   using Base::m_moves;
+  using Base::m_stars;
   using Base::m_touched;
   using Base::update_defects;
   using typename Base::Hub;
@@ -97,11 +98,14 @@ public:
     return m_defects.size() - static_cast<std::size_t>(std::count(m_defects.begin(), m_defects.end(), 0));
   }
 
-  // To be called after operator() when cells have changed since, to repair what that broke.
+  // To be called after operator() when cells have changed since, each of them as often as it is in the list, to repair
+  // what that broke.
   template <typename Cancellation_point>
   void again(const std::vector<Cell_index>& changed, double maximum_loss, Cancellation_point&& cancellation_point)
   {
     m_maximum_loss = maximum_loss;
+    for (Cell_index c : changed)
+      m_stars.flip(c);
     update_defects(changed);
     repair(m_touched, cancellation_point);
   }
