@@ -1,7 +1,6 @@
 #include "isr_surface_test_utils.h"
 #include "isr_test_self_intersections.h"
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Box_hierarchy.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
@@ -389,48 +388,11 @@ void test_kept_triangulation()
   ISR_CHECK(check([](Point_index) { return true; }));
 }
 
-// The same boxes as one by one; some are points, and some are the same.
-void test_box_hierarchy()
-{
-  for (const std::size_t n : { std::size_t(0), std::size_t(1), std::size_t(5), std::size_t(300) }) {
-    begin_case("hierarchy of " + std::to_string(n) + " boxes");
-    isr_test::Random random(n + 1);
-    const auto random_box = [&] {
-      std::array<double, 6> b;
-      for (std::size_t k = 0; k != 3; ++k) {
-        b[k] = double(random.below(12));
-        b[k + 3] = b[k] + double(random.below(4));
-      }
-      return CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]);
-    };
-    std::vector<CGAL::Bbox_3> boxes;
-    while (boxes.size() != n)
-      boxes.push_back(boxes.size() % 10 == 9 ? boxes.front() : random_box());
-    isr_internal::No_cancellation never;
-    const isr_internal::Box_hierarchy hierarchy(boxes, never);
-    std::size_t meetings = 0, pairs = 0;
-    for (int k = 0; k != 100; ++k) {
-      const CGAL::Bbox_3 box = random_box();
-      std::vector<isr_internal::Box_hierarchy::Box_index> found, expected;
-      hierarchy.for_each_meeting(box, [&](isr_internal::Box_hierarchy::Box_index i) { found.push_back(i); });
-      std::sort(found.begin(), found.end());
-      for (std::size_t i = 0; i != n; ++i)
-        if (CGAL::do_overlap(boxes[i], box))
-          expected.push_back(static_cast<isr_internal::Box_hierarchy::Box_index>(i));
-      ISR_CHECK(found == expected);
-      meetings += found.size();
-      pairs += n;
-    }
-    ISR_CHECK(n < 300 || (meetings > 100 && meetings < pairs / 2));
-  }
-}
-
 } // namespace
 
 int main()
 {
   test_triangles();
-  test_box_hierarchy();
   test_spike();
   test_two_components();
   test_large_component();
