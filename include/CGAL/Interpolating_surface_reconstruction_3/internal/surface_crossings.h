@@ -14,13 +14,14 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Box_hierarchy.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <array>
@@ -57,11 +58,13 @@ public:
     m_late.clear();
     m_crossings.clear();
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
-      if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)) &&
-          !is_degenerate(m_builder.triangle(t)))
-        m_late.push_back(m_builder.triangle(t));
-    if (!m_late.empty())
+      if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)))
+        add_box(m_builder.triangle(t), m_late);
+    m_pairs_left = PAIRS_PER_POINT * m_points.size();
+    if (!m_late.empty()) {
+      sort_late();
       cross_with_surface(is_wanted, cancellation_point);
+    }
     std::sort(m_crossings.begin(), m_crossings.end());
     m_crossings.erase(std::unique(m_crossings.begin(), m_crossings.end()), m_crossings.end());
     return std::move(m_crossings);
@@ -70,6 +73,7 @@ public:
 private:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangle = typename Builder::Triangle;
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, Triangle>;
 
   struct Too_many_pairs
   { };
@@ -77,43 +81,67 @@ private:
   // Well-shaped triangles have about ten.
   static constexpr std::size_t PAIRS_PER_POINT = 64;
 
+  // Of late triangles next to another one.
+  static constexpr int MAXIMUM_TESTS = 16;
+
+  // Triangles of the surface that are looked at together, if the late ones are not more.
+  static constexpr std::size_t BLOCK_SIZE = 1 << 15;
+
+  void sort_late()
+  {
+    std::sort(m_late.begin(), m_late.end(), [](const Box& a, const Box& b) { return a.min_coord(0) < b.min_coord(0); });
+    m_late_width = 0.;
+    for (const Box& box : m_late)
+      m_late_width = (std::max)(m_late_width, box.max_coord(0) - box.min_coord(0));
+  }
+
+  // Whether the triangle may meet a late one: a quick test, as most are far from all of these.
+  bool may_cross(const Triangle& t) const
+  {
+    const Bbox_3 box = bbox(t);
+    auto late = std::lower_bound(m_late.begin(), m_late.end(), box.xmin() - m_late_width,
+                                 [](const Box& b, double x) { return b.min_coord(0) < x; });
+    for (int k = 0; late != m_late.end() && late->min_coord(0) <= box.xmax(); ++late, ++k)
+      if (k == MAXIMUM_TESTS || do_overlap(late->bbox(), box))
+        return true;
+    return false;
+  }
+
   template <typename IsWanted, typename CancellationPoint>
   void cross_with_surface(const IsWanted& is_wanted, CancellationPoint& cancellation_point)
   {
-    std::vector<Bbox_3> boxes;
-    boxes.reserve(m_late.size());
-    for (const Triangle& t : m_late)
-      boxes.push_back(bbox(t));
-    const Box_hierarchy hierarchy(std::move(boxes), cancellation_point);
-    m_pairs_left = PAIRS_PER_POINT * m_points.size();
+    const std::size_t block_size = (std::max)(BLOCK_SIZE, m_late.size());
+    std::vector<Box> block;
+    block.reserve(block_size);
     try {
       m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
-        cancellation_point();
-        if (is_wanted(t))
-          cross_with(t, hierarchy, cancellation_point);
+        if (is_wanted(t) && may_cross(t))
+          add_box(t, block);
+        if (block.size() == block_size)
+          cross_with(block, cancellation_point);
       });
+      cross_with(block, cancellation_point);
     } catch (const Too_many_pairs&) {
       m_crossings.clear();
-      for (const Triangle& t : m_late)
-        m_crossings.emplace_back(t[0], t[0]);
+      for (const Box& box : m_late)
+        m_crossings.emplace_back(box.info()[0], box.info()[0]);
     }
   }
 
   template <typename CancellationPoint>
-  void cross_with(const Triangle& t, const Box_hierarchy& hierarchy, CancellationPoint& cancellation_point)
+  void cross_with(std::vector<Box>& block, CancellationPoint& cancellation_point)
   {
-    m_near.clear();
-    hierarchy.for_each_meeting(bbox(t), [this](Box_hierarchy::Box_index i) { m_near.push_back(i); });
-    if (m_near.empty() || is_degenerate(t))
-      return;
-    for (Box_hierarchy::Box_index i : m_near) {
+    std::vector<Box> late(m_late); // gets into another order
+    box_intersection_d(late.begin(), late.end(), block.begin(), block.end(), [&](const Box& a, const Box& b) {
       cancellation_point();
       if (m_pairs_left-- == 0)
         throw Too_many_pairs();
-      const Triangle& late = m_late[i];
-      if (!is_same(late, t) && do_triangles_cross(late, t, [this](Point_index p) { return point(p); }))
-        m_crossings.push_back(std::minmax(late[0], t[0]));
-    }
+      if (is_same(a.info(), b.info()) ||
+          !do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return point(p); }))
+        return;
+      m_crossings.push_back(std::minmax(a.info()[0], b.info()[0]));
+    });
+    block.clear();
   }
 
   static bool is_same(Triangle s, Triangle t)
@@ -128,15 +156,20 @@ private:
     return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
   }
 
-  // Predicates that are not exact may take it for a triangle.
-  bool is_degenerate(const Triangle& t) const { return collinear(point(t[0]), point(t[1]), point(t[2])); }
+  // But those of triangles that only predicates that are not exact take for such.
+  void add_box(const Triangle& t, std::vector<Box>& boxes) const
+  {
+    if (collinear(point(t[0]), point(t[1]), point(t[2])))
+      return;
+    boxes.emplace_back(bbox(t), t);
+  }
 
   Bbox_3 bbox(const Triangle& t) const { return m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(); }
 
   const std::vector<Local_point>& m_points;
   const Builder& m_builder;
-  std::vector<Triangle> m_late;
-  std::vector<Box_hierarchy::Box_index> m_near; // late triangles whose boxes meet that of another triangle
+  std::vector<Box> m_late;  // by their smallest x
+  double m_late_width = 0.; // of the widest one in x
   std::vector<Crossing> m_crossings;
   std::size_t m_pairs_left = 0;
 };
