@@ -208,6 +208,69 @@ void test_long_loop()
   ISR_CHECK_EQUAL(validation::euler_characteristic(s.triangles()), 2);
 }
 
+// A ring of a wall at each of the radii, between z = 0 and 1.
+Mesh walls(std::size_t n, const std::vector<double>& radii)
+{
+  Mesh mesh;
+  for (double radius : radii) {
+    Mesh next = wall(n, 1.);
+    for (Point& p : next.points)
+      p = Point(radius * p.x(), radius * p.y(), p.z());
+    append(mesh, next);
+  }
+  return mesh;
+}
+
+// Loops in one plane and inside of each other are the edges of faces with holes.
+void test_faces_with_holes()
+{
+  begin_case("faces of a pipe");
+  const std::size_t n = 12;
+  const Mesh pipe = walls(n, { 1., .5 });
+  Hand_surface s(pipe.points);
+  ISR_CHECK(s.add(pipe.triples));
+  ISR_CHECK(close(s));
+  ISR_CHECK(is_manifold(s, pipe.points));
+  ISR_CHECK_EQUAL(s.triangles().size(), 8 * n);
+  ISR_CHECK_EQUAL(validation::number_of_components(s.triangles()), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(s.triangles()), 0);
+
+  begin_case("a rod in a pipe");
+  const Mesh rod = walls(n, { 1., .5, .25 });
+  Hand_surface t(rod.points);
+  ISR_CHECK(t.add(rod.triples));
+  ISR_CHECK(close(t));
+  ISR_CHECK(is_manifold(t, rod.points));
+  ISR_CHECK_EQUAL(validation::number_of_components(t.triangles()), 2u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(t.triangles()), 2);
+
+  begin_case("two holes in a disk");
+  Mesh disk = walls(n, { 1. });
+  for (double x : { -.5, .5 }) {
+    Mesh hole = walls(n, { .25 });
+    for (Point& p : hole.points)
+      p = p + Vector(x, 0., 0.);
+    append(disk, hole);
+  }
+  Hand_surface u(disk.points);
+  ISR_CHECK(u.add(disk.triples));
+  ISR_CHECK(close(u));
+  ISR_CHECK(is_manifold(u, disk.points));
+  ISR_CHECK_EQUAL(validation::number_of_components(u.triangles()), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(u.triangles()), -2);
+
+  begin_case("a lower pipe");
+  Mesh step = walls(n, { 1. });
+  append(step, walls(n, { .5 }));
+  for (std::size_t i = 2 * n; i != 4 * n; ++i)
+    step.points[i] = step.points[i] + Vector(0., 0., .2);
+  Hand_surface v(step.points);
+  ISR_CHECK(v.add(step.triples));
+  ISR_CHECK(close(v));
+  ISR_CHECK_EQUAL(validation::number_of_components(v.triangles()), 2u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(v.triangles()), 4);
+}
+
 // All that could close a flat sheet would lie on it.
 void test_flat_sheet()
 {
@@ -451,6 +514,7 @@ int main()
   test_used_chords();
   test_no_loops();
   test_long_loop();
+  test_faces_with_holes();
   test_flat_sheet();
   test_failed_loops();
   test_islands();

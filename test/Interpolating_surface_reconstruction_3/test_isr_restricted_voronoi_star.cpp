@@ -174,6 +174,33 @@ void test_diagonals_of_squares()
   }
 }
 
+// The stars of points that are cocircular but for rounding agree on a triangulation of their polygon.
+void test_cocircular()
+{
+  for (std::size_t n : { 5u, 6u, 12u, 40u, 100u })
+    for (double angle : { 0., .7, 1.3 }) {
+      std::vector<Local_point> points;
+      for (std::size_t i = 0; i != n; ++i) {
+        const double a = angle + 6.28318530717958647692 * double(i) / double(n);
+        points.push_back(angle == 0. ? Local_point(std::cos(a), std::sin(a), 0.)
+                                     : on_tilted_plane(std::cos(a), std::sin(a)));
+      }
+      const Indexed_points indexed(points);
+      const Stars stars = construct_stars<Nearest_neighbors>(indexed, Restricted_voronoi_star_3());
+      std::map<std::array<Point_index, 3>, int> votes;
+      for (std::size_t p = 0; p != n; ++p)
+        for (std::size_t i = 0; i != stars.links[p].size(); ++i) {
+          std::array<Point_index, 3> t = { Point_index(p), stars.links[p][i],
+                                           stars.links[p][(i + 1) % stars.links[p].size()] };
+          std::sort(t.begin(), t.end());
+          if (t[2] != GAP)
+            ++votes[t];
+        }
+      assert(votes.size() == n - 2);
+      assert(std::all_of(votes.begin(), votes.end(), [](const auto& v) { return v.second == 3; }));
+    }
+}
+
 void test_sphere()
 {
   const Indexed_points indexed(sphere(3000, .005, 4));
@@ -281,6 +308,7 @@ int main()
   test_hexagonal_patch();
   test_square_grid();
   test_diagonals_of_squares();
+  test_cocircular();
   test_sphere();
   test_star_in_plane_of_its_triangles();
   test_certainty();

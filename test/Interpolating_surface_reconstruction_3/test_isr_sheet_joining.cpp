@@ -9,10 +9,12 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-// Flat sheets that face each other become one closed surface; others stay as they are.
+// Flat sheets that face each other become one closed surface, and so do the ends of a prism that are sampled along their
+// edges, however far they are from each other; others stay as they are.
 
 #include "isr_test_ctc.h"
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -66,6 +68,63 @@ void test_apart(const std::string& name, const Points& points, std::size_t sheet
   test_apart(name, points, sheets, params::keep_boundaries(false));
 }
 
+// A closed polygon of edges of equal length along the unit circle, or scaled.
+Points ring(std::size_t n, double radius, double z)
+{
+  Points points;
+  for (std::size_t i = 0; i != n; ++i)
+    points.push_back(on_circle(2. * CGAL_PI * double(i) / double(n), radius, z));
+  return points;
+}
+
+// The outline of an L, its edges cut into `parts`.
+Points angle_profile(std::size_t parts, double z)
+{
+  const std::vector<Point> corners = { Point(0, 0, z), Point(2, 0, z),  Point(2, .6, z),
+                                       Point(.6, .6, z), Point(.6, 2, z), Point(0, 2, z) };
+  Points points;
+  for (std::size_t i = 0; i != corners.size(); ++i)
+    for (std::size_t k = 0; k != parts; ++k)
+      points.push_back(corners[i] + double(k) / double(parts) * (corners[(i + 1) % corners.size()] - corners[i]));
+  return points;
+}
+
+// The two ends, sampled along their edges, become a closed surface of this volume.
+void test_prism(const std::string& name, const Points& points, std::ptrdiff_t euler_characteristic, double volume)
+{
+  begin_case(name);
+  const Triples triples = checked_ctc(points);
+  ISR_CHECK_EQUAL(validation::boundary_edges(triples).size(), 0u);
+  ISR_CHECK_EQUAL(validation::number_of_components(triples), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), euler_characteristic);
+  const std::vector<double> volumes = volumes_of_components(points, triples);
+  ISR_CHECK(std::abs(volumes[0] - volume) < 1e-6 * volume);
+}
+
+double area_of_polygon(std::size_t n, double radius)
+{
+  return double(n) * std::sin(2. * CGAL_PI / double(n)) * radius * radius / 2.;
+}
+
+void test_prisms()
+{
+  const std::size_t n = 40;
+  for (double height : { 5., 50. }) {
+    Points rod = ring(n, 1., 0.), pipe = rod, angle = angle_profile(4, 0.);
+    append(rod, ring(n, 1., height));
+    test_prism("rod", rotated(rod, .7), 2, area_of_polygon(n, 1.) * height);
+    append(pipe, ring(n, .6, 0.));
+    append(pipe, ring(n, 1., height));
+    append(pipe, ring(n, .6, height));
+    test_prism("pipe", rotated(pipe, .7), 0, (area_of_polygon(n, 1.) - area_of_polygon(n, .6)) * height);
+    append(angle, angle_profile(4, height));
+    test_prism("angle", rotated(angle, .7), 2, (2. * 2. - 1.4 * 1.4) * height);
+  }
+  Points cone = ring(n, 1., 0.);
+  append(cone, ring(n, .25, 9.));
+  test_prism("frustum", cone, 2, area_of_polygon(n, 1.) * 9. * (1. + .25 + .25 * .25) / 3.);
+}
+
 int main()
 {
   const Points facing = horizontal_sheets({ 0., 6. });
@@ -74,6 +133,9 @@ int main()
   test_apart("the same, openings kept", facing, 2, params::keep_boundaries(true));
   test_apart("the same, openings larger than what is closed", facing, 2, params::maximum_hole_size(4 * SIDE - 1));
   test_apart("farther apart than wide", horizontal_sheets({ 0., 9. }), 2);
+  Points rows = sheet_at(ZERO, X, 2.1 * Y);
+  append(rows, sheet_at(40. * Z, X, 2.1 * Y));
+  test_apart("rows, farther apart than wide", rows, 2);
   test_apart("one between others", horizontal_sheets({ 0., 6., 12. }), 3);
 
   // three spacings from each edge of the box
@@ -84,5 +146,6 @@ int main()
     append(faces, sheet_at(x * Y, Z, X));
   }
   test_joined("six faces of a box", faces);
+  test_prisms();
   return result();
 }

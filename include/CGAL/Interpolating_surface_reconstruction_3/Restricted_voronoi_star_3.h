@@ -86,6 +86,9 @@ private:
   // takes a fifth more time.
   static constexpr double COSINE_OF_SMALL_TILT = .99;
 
+  // A point on the circle around the farthest vertex does change the star, as one of many cocircular ones.
+  static constexpr double WITH_ROUNDING = 1. + 1e-9;
+
   static Vector_3 covariance_normal(const Star_neighborhood& neighborhood)
   {
     const std::size_t n = (std::min)(neighborhood.size(), INITIAL_NEIGHBORS);
@@ -146,7 +149,7 @@ private:
       if (polygon.clip(projection.x(i), projection.y(i), projection.half_square(i), static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
     internal::Star_diagonals<MAXIMUM_NEIGHBORS>(neighborhood, projection, polygon, squared_radius).settle(star.link);
-    return neighborhood.squared_radius() >= 4. * squared_radius;
+    return neighborhood.squared_radius() >= WITH_ROUNDING * 4. * squared_radius;
   }
 };
 

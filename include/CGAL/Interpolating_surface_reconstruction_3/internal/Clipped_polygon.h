@@ -44,6 +44,8 @@ public:
 
   std::size_t size() const { return m_size; }
   std::uint32_t maker(std::size_t i) const { return m_makers[i]; }
+  double x(std::size_t i) const { return m_x[i]; }
+  double y(std::size_t i) const { return m_y[i]; }
 
   // A cell with more edges than this keeps the nearest neighbors' edges.
   static constexpr std::size_t CAPACITY = 64;

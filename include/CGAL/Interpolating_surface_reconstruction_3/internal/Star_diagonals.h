@@ -34,7 +34,8 @@ namespace internal {
 // Their tangent planes would decide differently, and the charts would not be compatible. Therefore
 // the choice between the diagonals pr and qs of the quadrangle p, q, r, s is made by a measure of
 // the four points in space that is the same seen from each of them: of the two pairs of triangles, the
-// one whose larger circumscribed circle is smaller.
+// one whose larger circumscribed circle is smaller. Five and more points that are cocircular up to rounding are
+// triangulated together, in an order that is the same, too.
 template <std::size_t MaximumSize>
 class Star_diagonals
 {
@@ -75,8 +76,10 @@ private:
 
   void find_near_misses(double squared_radius)
   {
-    for (std::size_t i = 0; i != m_polygon.size(); ++i)
+    for (std::size_t i = 0; i != m_polygon.size(); ++i) {
       m_near_misses[i] = Near_miss{ Point_star::GAP, 1. - NEAR };
+      m_has_ties[i] = false;
+    }
     const double reach = 2. * squared_radius / ((1. - NEAR) * (1. - NEAR));
     std::bitset<MaximumSize> has_edge;
     for (std::size_t i = 0; i != m_polygon.size(); ++i)
@@ -92,6 +95,7 @@ private:
       const auto vertex = static_cast<std::size_t>(
         std::find(values.begin(), values.begin() + m_polygon.size(), largest) - values.begin());
       const double value = largest / m_projection.half_square(i);
+      m_has_ties[vertex] = m_has_ties[vertex] || value > 1. - ROUNDING;
       if (value > m_near_misses[vertex].value)
         m_near_misses[vertex] = Near_miss{ static_cast<std::uint32_t>(i), value };
     }
@@ -99,17 +103,89 @@ private:
 
   void link_with_additional_diagonals(std::vector<std::uint32_t>& link) const
   {
-    for (std::size_t i = 0; i != m_polygon.size(); ++i) {
-      const std::uint32_t q = m_polygon.maker(i == 0 ? m_polygon.size() - 1 : i - 1), r = m_near_misses[i].neighbor,
-                          s = m_polygon.maker(i);
-      if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && is_between(q, r, s) &&
-          is_own_diagonal_better(q, r, s))
-        link.push_back(r);
-      if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
-        link.push_back(s);
+    std::size_t begin = 0; // of vertices that do not coincide with the one before
+    while (begin != m_polygon.size() && does_coincide_with_last(begin))
+      ++begin;
+    for (std::size_t k = 0; k != m_polygon.size();) {
+      const std::size_t i = (begin + k) % m_polygon.size();
+      std::size_t size = 1; // of vertices at the same place
+      bool has_ties = m_has_ties[i];
+      while (k + size != m_polygon.size() && does_coincide_with_last((i + size) % m_polygon.size()))
+        has_ties = m_has_ties[(i + size++) % m_polygon.size()] || has_ties;
+      if (!((has_ties || size > 1) && link_with_cocircular(i, size, link)))
+        for (std::size_t j = 0; j != size; ++j)
+          link_with_vertex((i + j) % m_polygon.size(), link);
+      k += size;
     }
     if (link.size() > 1 && link.front() == Point_star::GAP && link.back() == Point_star::GAP)
       link.pop_back();
+  }
+
+  std::uint32_t maker_before(std::size_t i) const { return m_polygon.maker(i == 0 ? m_polygon.size() - 1 : i - 1); }
+
+  // Adds what is seen beyond the vertex of the polygon and its next edge.
+  void link_with_vertex(std::size_t i, std::vector<std::uint32_t>& link) const
+  {
+    const std::uint32_t q = maker_before(i), r = m_near_misses[i].neighbor, s = m_polygon.maker(i);
+    if (r != Point_star::GAP && q != Point_star::GAP && s != Point_star::GAP && is_between(q, r, s) &&
+        is_own_diagonal_better(q, r, s))
+      link.push_back(r);
+    if (s != Point_star::GAP || link.empty() || link.back() != Point_star::GAP)
+      link.push_back(s);
+  }
+
+  // Whether rounding alone tells a vertex of the polygon from the one before.
+  bool does_coincide_with_last(std::size_t i) const
+  {
+    const std::size_t last = i == 0 ? m_polygon.size() - 1 : i - 1;
+    const double dx = m_polygon.x(i) - m_polygon.x(last), dy = m_polygon.y(i) - m_polygon.y(last);
+    return dx * dx + dy * dy <=
+           ROUNDING * ROUNDING * (m_polygon.x(i) * m_polygon.x(i) + m_polygon.y(i) * m_polygon.y(i));
+  }
+
+  // Adds what is seen beyond the vertices from i on, which coincide, if five points or more are on the circle around
+  // them, and the edge after them.
+  bool link_with_cocircular(std::size_t i, std::size_t size, std::vector<std::uint32_t>& link) const
+  {
+    const std::uint32_t first = maker_before(i), last = m_polygon.maker((i + size - 1) % m_polygon.size());
+    if (first == Point_star::GAP || last == Point_star::GAP || first == last)
+      return false;
+    const double vx = m_polygon.x(i), vy = m_polygon.y(i);
+    std::vector<std::uint32_t> circle; // but for the point itself
+    for (std::uint32_t r = 0; r != m_projection.size(); ++r) {
+      const bool is_end = r == first || r == last;
+      if (is_end ||
+          (std::abs(x(r) * vx + y(r) * vy - half_square(r)) <= ROUNDING * half_square(r) && is_between(first, r, last)))
+        circle.push_back(r);
+    }
+    if (circle.size() < 4)
+      return false;
+    std::sort(circle.begin(), circle.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return x(a) * y(b) > y(a) * x(b); });
+    append_neighbors(circle, link);
+    return true;
+  }
+
+  // Triangulates the convex polygon of the point and the others around the circle by cutting off the last point in the
+  // order of all stars, and again. Adds the neighbors of the point but for the first.
+  void append_neighbors(std::vector<std::uint32_t> others, std::vector<std::uint32_t>& link) const
+  {
+    const Vector_3 point(0, 0, 0);
+    std::vector<std::uint32_t> end(1, others.back()); // backwards
+    while (others.size() > 2) {
+      const auto largest = std::max_element(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return is_less(m_neighborhood[a], m_neighborhood[b]);
+      });
+      if (is_less(m_neighborhood[*largest], point))
+        break;
+      if (largest == others.begin())
+        link.push_back(others[1]);
+      else if (largest + 1 == others.end())
+        end.push_back(others[others.size() - 2]);
+      others.erase(largest);
+    }
+    // What is left of the polygon has one more triangle at the point, with both of its neighbors.
+    link.insert(link.end(), end.rbegin(), end.rend());
   }
 
   // Whether r is seen between q and s. Rounding may ascribe a near miss to the other end of a tiny edge.
@@ -170,7 +246,8 @@ private:
   const Star_neighborhood& m_neighborhood;
   const Tangent_projection<MaximumSize>& m_projection;
   const Clipped_polygon& m_polygon;
-  std::array<Near_miss, Clipped_polygon::CAPACITY> m_near_misses;
+  std::array<Near_miss, Clipped_polygon::CAPACITY> m_near_misses; // of each vertex, the nearest one
+  std::array<bool, Clipped_polygon::CAPACITY> m_has_ties;         // whether that is due to rounding
 };
 
 } // namespace internal

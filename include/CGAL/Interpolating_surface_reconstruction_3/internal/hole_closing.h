@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Face_filler.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
@@ -111,8 +112,8 @@ private:
   // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
   static constexpr std::size_t MAXIMUM_PLANAR_SIZE = 8;
 
-  // Of the thickness of a sheet, in its mean edges.
-  static constexpr double ROUNDING = 1e-9;
+  // Of the thickness of a sheet, in its mean edges: files tell coordinates with six digits.
+  static constexpr double ROUNDING = 1e-4;
 
   bool is_next_to_bare_point(Point_index p) const
   {
@@ -132,6 +133,7 @@ private:
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
   bool fill_and_widen(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
+    fill_faces_with_holes(is_boundary, cancellation_point, on_verdict);
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       const std::vector<Boundary_loop> failed = fill_loops(is_boundary, cancellation_point, on_verdict);
       const bool is_single = keep_largest_fans(cancellation_point);
@@ -145,6 +147,17 @@ private:
     restore_rings(cancellation_point);
     keep_largest_fans(cancellation_point);
     return false;
+  }
+
+  template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
+  void fill_faces_with_holes(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  {
+    std::vector<Boundary_loop> loops = Boundary_loops<Builder>(m_points, m_builder)(cancellation_point);
+    loops.erase(std::remove_if(loops.begin(), loops.end(),
+                               [&](const Boundary_loop& l) { return l.size() > m_maximum_size || is_boundary(l); }),
+                loops.end());
+    Face_filler<Builder> fill_faces(m_points, m_builder);
+    fill_faces(loops, on_verdict, cancellation_point);
   }
 
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Sheet_prism.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cell_signs.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/label_relaxation.h>
@@ -57,7 +58,7 @@ public:
       collect_sheets(outlines, cancellation_point);
       if (m_sheets.size() < 2 || m_sheets.size() > MAXIMUM_SHEETS || !find_normals(cancellation_point))
         return false;
-      return join(progress, cancellation_point);
+      return join_ends_of_prism(cancellation_point) || join(progress, cancellation_point);
     } catch (const Cancelled&) {
     }
     return false;
@@ -78,7 +79,7 @@ private:
 
   struct Sheet
   {
-    std::vector<Point_index> points;
+    std::vector<Point_index> points; // increasing
     Local_point origin;
     Local_vector normal;
     double mean_edge; // of the outline
@@ -109,6 +110,7 @@ private:
             }
         });
       }
+      std::sort(points.begin(), points.end());
     }
   }
 
@@ -158,13 +160,32 @@ private:
     return true;
   }
 
-  template <typename Progress, typename CancellationPoint>
-  bool join(Progress& progress, CancellationPoint& cancellation_point)
+  template <typename CancellationPoint>
+  bool join_ends_of_prism(CancellationPoint& cancellation_point)
+  {
+    if (m_sheets.size() != 2)
+      return false;
+    const Sheet &base = m_sheets[0], &top = m_sheets[1];
+    Sheet_prism prism(m_points);
+    std::vector<Triangle> joined = prism(base.points, base.normal, top.points, cancellation_point);
+    return !joined.empty() &&
+           !exchange_triangles(m_builder, all_points(), std::move(joined), cancellation_point).empty();
+  }
+
+  // Increasing.
+  std::vector<Point_index> all_points() const
   {
     std::vector<Point_index> points;
     for (const Sheet& sheet : m_sheets)
       points.insert(points.end(), sheet.points.begin(), sheet.points.end());
     std::sort(points.begin(), points.end());
+    return points;
+  }
+
+  template <typename Progress, typename CancellationPoint>
+  bool join(Progress& progress, CancellationPoint& cancellation_point)
+  {
+    const std::vector<Point_index> points = all_points();
     const Cell_complex cells(m_points, points, cancellation_point);
     if (cells.size() == 0)
       return false;

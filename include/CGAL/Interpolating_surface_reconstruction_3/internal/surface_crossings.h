@@ -60,7 +60,7 @@ public:
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
       if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)))
         add_box(m_builder.triangle(t), m_late);
-    m_pairs_left = PAIRS_PER_POINT * m_points.size();
+    m_pairs_left = (std::max)(PAIRS_OF_FEW_POINTS, PAIRS_PER_POINT * m_points.size());
     if (!m_late.empty()) {
       sort_late();
       cross_with_surface(is_wanted, cancellation_point);
@@ -78,8 +78,8 @@ private:
   struct Too_many_pairs
   { };
 
-  // Well-shaped triangles have about ten.
-  static constexpr std::size_t PAIRS_PER_POINT = 64;
+  // Well-shaped triangles have about ten. The boxes of a few thousand thin ones may all meet.
+  static constexpr std::size_t PAIRS_PER_POINT = 64, PAIRS_OF_FEW_POINTS = 1 << 18;
 
   // Of late triangles next to another one.
   static constexpr int MAXIMUM_TESTS = 16;
