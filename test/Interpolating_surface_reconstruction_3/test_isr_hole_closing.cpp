@@ -259,6 +259,39 @@ void test_faces_with_holes()
   ISR_CHECK_EQUAL(validation::number_of_components(u.triangles()), 1u);
   ISR_CHECK_EQUAL(validation::euler_characteristic(u.triangles()), -2);
 
+  // The wall of the hole has been closed by caps before.
+  begin_case("a plug in a pipe");
+  Mesh plug = walls(n, { 1., .5 });
+  for (std::size_t end : { 0u, 1u })
+    for (std::size_t i = 1; i + 1 != n; ++i) {
+      const Triple cap{ 2 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * (i + 1) + end };
+      plug.triples.push_back(end == 0 ? Triple{ cap[0], cap[2], cap[1] } : cap);
+    }
+  Hand_surface w(plug.points);
+  ISR_CHECK(w.add(plug.triples));
+  ISR_CHECK_EQUAL(loops_of(w).size(), 2u);
+  ISR_CHECK(close(w));
+  ISR_CHECK(is_manifold(w, plug.points));
+  ISR_CHECK_EQUAL(w.triangles().size(), 8 * n);
+  ISR_CHECK_EQUAL(validation::number_of_components(w.triangles()), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(w.triangles()), 0);
+
+  // A cap with a point of its own is no cap: what the loop is closed by lies on it.
+  begin_case("a rod with a center in a pipe");
+  Mesh core = walls(n, { 1., .5 });
+  for (std::size_t end : { 0u, 1u }) {
+    core.points.push_back(Point(0., 0., double(end)));
+    for (std::size_t i = 0; i != n; ++i) {
+      const Triple cap{ 4 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * ((i + 1) % n) + end };
+      core.triples.push_back(end == 0 ? Triple{ cap[0], cap[2], cap[1] } : cap);
+    }
+  }
+  Hand_surface x(core.points);
+  ISR_CHECK(x.add(core.triples));
+  ISR_CHECK(close(x));
+  ISR_CHECK_EQUAL(x.triangles().size(), 4 * n + 2 * n + 2 * (n - 2));
+  ISR_CHECK_EQUAL(validation::number_of_components(x.triangles()), 2u);
+
   begin_case("a lower pipe");
   Mesh step = walls(n, { 1. });
   append(step, walls(n, { .5 }));

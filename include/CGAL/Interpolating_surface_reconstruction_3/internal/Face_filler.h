@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -28,6 +29,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -37,12 +40,15 @@ namespace internal {
 
 // Fills boundary loops together that lie in one plane and inside of each other: the flat faces of a part with holes
 // have points at the walls only, and a face filled inside of each loop would lie on others. What is inside of an odd
-// number of loops is filled, by the constrained Delaunay triangulation in the plane.
+// number of loops is filled, by the constrained Delaunay triangulation in the plane. Caps in that plane, which have been
+// put on walls before, are taken off for it.
 template <typename Builder>
 class Face_filler
 {
 public:
-  Face_filler(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
+  Face_filler(const std::vector<Local_point>& points, Builder& builder)
+    : m_points(points), m_builder(builder), m_visits_left(FACES_WITH_CAPS * points.size())
+  { }
 
   // Leaves loops that are not inside of others, and those with which the surface would not stay a manifold.
   template <typename OnVerdict, typename CancellationPoint>
@@ -59,11 +65,16 @@ public:
       if (planar[outer].is_done || planar[outer].loop->size() < MINIMUM_OUTER_SIZE)
         continue;
       cancellation_point(planar.size() - outer);
-      std::vector<std::size_t> inside(1, outer);
+      std::vector<Boundary_loop> chosen(1, *planar[outer].loop);
+      std::vector<std::size_t> inside;
       for (std::size_t i = outer + 1; i != planar.size(); ++i)
-        if (!planar[i].is_done && is_inside(planar[i], planar[outer]))
+        if (!planar[i].is_done && is_inside(planar[i], planar[outer])) {
           inside.push_back(i);
-      if (inside.size() > 1 && fill(planar, inside, on_verdict, cancellation_point))
+          chosen.push_back(*planar[i].loop);
+        }
+      const std::vector<Triangle> caps = find_caps(planar[outer], cancellation_point);
+      append_rims(caps, chosen);
+      if (chosen.size() > 1 && exchange_caps(caps, planar[outer], chosen, on_verdict, cancellation_point))
         for (std::size_t i : inside)
           planar[i].is_done = true;
     }
@@ -95,6 +106,9 @@ private:
 
   // A face with a hole in it has more edges around it than gaps between triangles have, which are many.
   static constexpr std::size_t MINIMUM_OUTER_SIZE = 6;
+
+  // Faces for which caps are looked for among all triangles.
+  static constexpr std::size_t FACES_WITH_CAPS = 16;
 
   // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
   static constexpr double FLATNESS = .125;
@@ -128,10 +142,12 @@ private:
 
   bool is_inside(const Planar_loop& a, const Planar_loop& b) const
   {
-    if (!is_in_plane(a, b))
-      return false;
-    // by the number of edges that a ray in the plane crosses
-    const Local_point& p = m_points[a.loop->front()];
+    return is_in_plane(a, b) && is_point_inside(m_points[a.loop->front()], b);
+  }
+
+  // By the number of edges that a ray in the plane crosses.
+  bool is_point_inside(const Local_point& p, const Planar_loop& b) const
+  {
     const Local_vector u = m_points[(*b.loop)[1]] - m_points[b.loop->front()], v = cross_product(b.normal, u);
     bool result = false;
     for (std::size_t i = 0; i != b.loop->size(); ++i) {
@@ -143,17 +159,118 @@ private:
     return result;
   }
 
+  // Triangles of the surface in the plane of the loop and inside of it, but for those of parts that have a boundary or
+  // points of their own: those are no caps.
+  template <typename CancellationPoint>
+  std::vector<Triangle> find_caps(const Planar_loop& loop, CancellationPoint& cancellation_point)
+  {
+    std::vector<Triangle> flat, caps;
+    if (m_visits_left < m_points.size())
+      return caps;
+    m_visits_left -= m_points.size();
+    const double thickness = FLATNESS * loop.mean_edge;
+    const auto is_in_face = [&](const Triangle& t) {
+      return std::all_of(
+               t.begin(), t.end(),
+               [&](Point_index p) { return std::abs(loop.normal * (m_points[p] - loop.origin)) <= thickness; }) &&
+             is_point_inside(centroid(m_points[t[0]], m_points[t[1]], m_points[t[2]]), loop);
+    };
+    m_builder.for_each_triangle([&](const Triangle& t, auto) {
+      cancellation_point();
+      if (is_in_face(t))
+        flat.push_back(t);
+    });
+    // by the edges between them
+    Parity_union_find parts(m_points.size());
+    for (const Triangle& t : flat)
+      for (Point_index p : t) {
+        m_builder.open(p);
+        parts.unite(t[0], p, false);
+      }
+    std::vector<Point_index> others;
+    for (const Triangle& t : flat)
+      for (std::size_t i = 0; i != 3; ++i) {
+        std::size_t outside = 0;
+        m_builder.for_each_triangle_at(t[i], [&](const Triangle& other) { outside += is_in_face(other) ? 0u : 1u; });
+        if (outside == 0 || m_builder.number_of_triangles(t[i], t[(i + 1) % 3]) != 2)
+          others.push_back(parts.find(t[i]).root);
+      }
+    std::sort(others.begin(), others.end());
+    std::copy_if(flat.begin(), flat.end(), std::back_inserter(caps), [&](const Triangle& t) {
+      return !std::binary_search(others.begin(), others.end(), parts.find(t[0]).root);
+    });
+    return caps;
+  }
+
+  // The cycles of edges around the caps.
+  static void append_rims(const std::vector<Triangle>& caps, std::vector<Boundary_loop>& loops)
+  {
+    // The triangles of a cap need not be oriented alike.
+    std::vector<std::array<Point_index, 2> > edges;
+    for (const Triangle& t : caps)
+      for (std::size_t i = 0; i != 3; ++i)
+        edges.push_back({ { (std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3]) } });
+    std::sort(edges.begin(), edges.end());
+    std::map<Point_index, std::vector<Point_index> > next;
+    for (std::size_t i = 0; i != edges.size(); ++i)
+      if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i])) {
+        next[edges[i][0]].push_back(edges[i][1]);
+        next[edges[i][1]].push_back(edges[i][0]);
+      }
+    while (!next.empty()) {
+      Boundary_loop loop(1, next.begin()->first);
+      for (bool is_found = true; is_found;) {
+        const auto it = next.find(loop.back());
+        is_found = it != next.end() && !it->second.empty();
+        if (!is_found)
+          break;
+        const Point_index q = it->second.back();
+        it->second.pop_back();
+        auto& back = next[q];
+        back.erase(std::find(back.begin(), back.end(), loop.back()));
+        loop.push_back(q);
+      }
+      for (Point_index p : loop)
+        if (next.count(p) != 0 && next[p].empty())
+          next.erase(p);
+      if (loop.size() > 3 && loop.front() == loop.back()) {
+        loop.pop_back();
+        loops.push_back(loop);
+      }
+    }
+  }
+
+  // Takes the caps off and fills the loops; if that is not possible, all stays as it was.
   template <typename OnVerdict, typename CancellationPoint>
-  bool fill(const std::vector<Planar_loop>& planar, const std::vector<std::size_t>& chosen, OnVerdict& on_verdict,
-            CancellationPoint& cancellation_point)
+  bool exchange_caps(const std::vector<Triangle>& caps, const Planar_loop& outer,
+                     const std::vector<Boundary_loop>& chosen, OnVerdict& on_verdict,
+                     CancellationPoint& cancellation_point)
+  {
+    const std::vector<Triangle> triangles = fill(outer, chosen, cancellation_point);
+    if (triangles.empty())
+      return false;
+    for (const Triangle& t : caps)
+      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+    std::size_t size = 0;
+    for (const Boundary_loop& loop : chosen)
+      size += loop.size();
+    if (2 * number_of_folds(triangles) <= size && attach(triangles, on_verdict))
+      return true;
+    for (const Triangle& t : caps)
+      m_builder.restore(t);
+    return false;
+  }
+
+  // The triangles inside of an odd number of the loops; none if they do not bound a face.
+  template <typename CancellationPoint>
+  std::vector<Triangle> fill(const Planar_loop& outer, const std::vector<Boundary_loop>& chosen,
+                             CancellationPoint& cancellation_point) const
   {
     Triangulation triangulation;
-    const Planar_loop& outer = planar[chosen.front()];
     const Local_vector u = m_points[(*outer.loop)[1]] - m_points[outer.loop->front()],
                        v = cross_product(outer.normal, u);
     std::size_t size = 0;
-    for (std::size_t i : chosen) {
-      const Boundary_loop& loop = *planar[i].loop;
+    for (const Boundary_loop& loop : chosen) {
       std::vector<typename Triangulation::Vertex_handle> vertices;
       for (Point_index p : loop) {
         cancellation_point();
@@ -168,9 +285,8 @@ private:
     }
     // Loops that touch or cross each other in the plane do not bound a face.
     if (triangulation.number_of_vertices() != size || triangulation.dimension() != 2)
-      return false;
-    const std::vector<Triangle> triangles = triangles_inside(triangulation);
-    return 2 * number_of_folds(triangles) <= size && attach(triangles, on_verdict);
+      return {};
+    return triangles_inside(triangulation);
   }
 
   static std::vector<Triangle> triangles_inside(Triangulation& triangulation)
@@ -236,6 +352,7 @@ private:
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
+  std::size_t m_visits_left;
 };
 
 } // namespace internal
