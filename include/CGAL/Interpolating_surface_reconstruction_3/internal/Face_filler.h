@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -40,15 +39,13 @@ namespace internal {
 
 // Fills boundary loops together that lie in one plane and inside of each other: the flat faces of a part with holes
 // have points at the walls only, and a face filled inside of each loop would lie on others. What is inside of an odd
-// number of loops is filled, by the constrained Delaunay triangulation in the plane. Caps in that plane, which have been
-// put on walls before, are taken off for it.
+// number of rims of walls is filled, by the constrained Delaunay triangulation in the plane. What lies in the plane
+// already, between points of walls, is taken off for it: caps of holes, and what stars and completion put there.
 template <typename Builder>
 class Face_filler
 {
 public:
-  Face_filler(const std::vector<Local_point>& points, Builder& builder)
-    : m_points(points), m_builder(builder), m_visits_left(FACES_WITH_CAPS * points.size())
-  { }
+  Face_filler(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
 
   // Leaves loops that are not inside of others, and those with which the surface would not stay a manifold.
   template <typename OnVerdict, typename CancellationPoint>
@@ -61,22 +58,18 @@ public:
     }
     std::stable_sort(planar.begin(), planar.end(),
                      [](const Planar_loop& a, const Planar_loop& b) { return a.area > b.area; });
-    for (std::size_t outer = 0; outer != planar.size(); ++outer) {
-      if (planar[outer].is_done || planar[outer].loop->size() < MINIMUM_OUTER_SIZE)
+    std::size_t planes = 0;
+    for (const Planar_loop& plane : planar) {
+      if (plane.is_done || plane.loop->size() < MINIMUM_OUTER_SIZE || planes++ == MAXIMUM_PLANES)
         continue;
-      cancellation_point(planar.size() - outer);
-      std::vector<Boundary_loop> chosen(1, *planar[outer].loop);
-      std::vector<std::size_t> inside;
-      for (std::size_t i = outer + 1; i != planar.size(); ++i)
-        if (!planar[i].is_done && is_inside(planar[i], planar[outer])) {
-          inside.push_back(i);
-          chosen.push_back(*planar[i].loop);
+      cancellation_point(planar.size());
+      std::vector<Point_index> points;
+      for (Planar_loop& other : planar)
+        if (!other.is_done && is_in_plane(other, plane)) {
+          other.is_done = true;
+          points.insert(points.end(), other.loop->begin(), other.loop->end());
         }
-      const std::vector<Triangle> caps = find_caps(planar[outer], cancellation_point);
-      append_rims(caps, chosen);
-      if (chosen.size() > 1 && exchange_caps(caps, planar[outer], chosen, on_verdict, cancellation_point))
-        for (std::size_t i : inside)
-          planar[i].is_done = true;
+      fill_plane(plane, std::move(points), on_verdict, cancellation_point);
     }
   }
 
@@ -107,11 +100,14 @@ private:
   // A face with a hole in it has more edges around it than gaps between triangles have, which are many.
   static constexpr std::size_t MINIMUM_OUTER_SIZE = 6;
 
-  // Faces for which caps are looked for among all triangles.
-  static constexpr std::size_t FACES_WITH_CAPS = 16;
+  // All triangles are looked at for each.
+  static constexpr std::size_t MAXIMUM_PLANES = 16;
 
   // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
   static constexpr double FLATNESS = .125;
+
+  // The same, where coordinates have six digits.
+  static constexpr double ROUNDING = 1e-4;
 
   void add_if_planar(const Boundary_loop& loop, std::vector<Planar_loop>& planar) const
   {
@@ -140,18 +136,128 @@ private:
                        [&](Point_index p) { return std::abs(b.normal * (m_points[p] - b.origin)) <= thickness; });
   }
 
-  bool is_inside(const Planar_loop& a, const Planar_loop& b) const
+  bool is_in_plane(Point_index p, const Planar_loop& plane) const
   {
-    return is_in_plane(a, b) && is_point_inside(m_points[a.loop->front()], b);
+    return std::abs(plane.normal * (m_points[p] - plane.origin)) <= FLATNESS * plane.mean_edge;
+  }
+
+  // Triangles of a low wall are not, but thin ones of points on a line are, whose normal is that of rounding errors.
+  bool is_in_plane(const Triangle& t, const Planar_loop& plane) const
+  {
+    double height = 0.;
+    for (Point_index p : t)
+      height = (std::max)(height, std::abs(plane.normal * (m_points[p] - plane.origin)) / plane.mean_edge);
+    const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+    const double cosine = n * plane.normal; // times the length of n
+    return height <= ROUNDING || (height <= FLATNESS && 2. * cosine * cosine > n.squared_length());
+  }
+
+  // `points` are those of loops in the plane, which may be filled. If that is not possible, all stays as it was.
+  template <typename OnVerdict, typename CancellationPoint>
+  void fill_plane(const Planar_loop& plane, std::vector<Point_index> points, OnVerdict& on_verdict,
+                  CancellationPoint& cancellation_point)
+  {
+    const std::vector<Triangle> removed = find_removable(plane, cancellation_point);
+    for (const Triangle& t : removed) {
+      points.insert(points.end(), t.begin(), t.end());
+      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const std::vector<Boundary_loop> rims = find_rims(plane, points);
+    if (is_any_inside(rims, plane)) {
+      const std::vector<Triangle> triangles = fill(plane, rims, cancellation_point);
+      if (!triangles.empty() && 2 * number_of_folds(triangles) <= points.size() && attach(triangles, on_verdict))
+        return;
+    }
+    for (const Triangle& t : removed)
+      m_builder.restore(t);
+  }
+
+  // Triangles of the surface in the plane, but for those of parts with a point of their own, off all walls.
+  template <typename CancellationPoint>
+  std::vector<Triangle> find_removable(const Planar_loop& plane, CancellationPoint& cancellation_point)
+  {
+    const auto is_flat = [&](const Triangle& t) { return is_in_plane(t, plane); };
+    std::vector<Triangle> flat, result;
+    Parity_union_find parts(m_points.size());
+    m_builder.for_each_triangle([&](const Triangle& t, auto) {
+      cancellation_point();
+      if (!is_flat(t))
+        return;
+      flat.push_back(t);
+      parts.unite(t[0], t[1], false);
+      parts.unite(t[0], t[2], false);
+    });
+    std::vector<Point_index> kept; // by their roots
+    for (const Triangle& t : flat)
+      for (Point_index p : t) {
+        bool is_on_wall = false;
+        m_builder.for_each_triangle_at(p, [&](const Triangle& other) { is_on_wall = is_on_wall || !is_flat(other); });
+        if (!is_on_wall)
+          kept.push_back(parts.find(p).root);
+      }
+    std::sort(kept.begin(), kept.end());
+    std::copy_if(flat.begin(), flat.end(), std::back_inserter(result), [&](const Triangle& t) {
+      return !std::binary_search(kept.begin(), kept.end(), parts.find(t[0]).root);
+    });
+    for (const Triangle& t : result)
+      for (Point_index p : t)
+        m_builder.open(p);
+    return result;
+  }
+
+  // The cycles of boundary edges in the plane at the points, which increase; none if cycles meet or leave the points.
+  std::vector<Boundary_loop> find_rims(const Planar_loop& plane, const std::vector<Point_index>& points) const
+  {
+    const auto position = [&](Point_index p) {
+      return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+    };
+    std::vector<std::vector<Point_index> > neighbors(points.size());
+    for (std::size_t i = 0; i != points.size(); ++i) {
+      for (const auto& corner : m_builder.corners(points[i]))
+        for (Point_index q : { corner.a, corner.b })
+          if (m_builder.number_of_triangles(points[i], q) == 1 && is_in_plane(q, plane))
+            neighbors[i].push_back(q);
+      if (!(neighbors[i].empty() || neighbors[i].size() == 2) ||
+          !std::all_of(neighbors[i].begin(), neighbors[i].end(),
+                       [&](Point_index q) { return std::binary_search(points.begin(), points.end(), q); }))
+        return {};
+    }
+    std::vector<Boundary_loop> result;
+    std::vector<unsigned char> is_visited(points.size(), 0);
+    for (std::size_t first = 0; first != points.size(); ++first) {
+      if (is_visited[first] != 0 || neighbors[first].empty())
+        continue;
+      result.emplace_back();
+      for (std::size_t i = first, last = first;;) {
+        is_visited[i] = 1;
+        result.back().push_back(points[i]);
+        const std::size_t a = position(neighbors[i][0]), b = position(neighbors[i][1]);
+        last = std::exchange(i, a == last ? b : a);
+        if (i == first)
+          break;
+      }
+    }
+    return result;
+  }
+
+  bool is_any_inside(const std::vector<Boundary_loop>& loops, const Planar_loop& plane) const
+  {
+    for (const Boundary_loop& a : loops)
+      for (const Boundary_loop& b : loops)
+        if (&a != &b && is_inside(m_points[a.front()], b, plane))
+          return true;
+    return false;
   }
 
   // By the number of edges that a ray in the plane crosses.
-  bool is_point_inside(const Local_point& p, const Planar_loop& b) const
+  bool is_inside(const Local_point& p, const Boundary_loop& loop, const Planar_loop& plane) const
   {
-    const Local_vector u = m_points[(*b.loop)[1]] - m_points[b.loop->front()], v = cross_product(b.normal, u);
+    const Local_vector u = m_points[loop[1]] - m_points[loop[0]], v = cross_product(plane.normal, u);
     bool result = false;
-    for (std::size_t i = 0; i != b.loop->size(); ++i) {
-      const Local_vector q = m_points[(*b.loop)[i]] - p, r = m_points[(*b.loop)[(i + 1) % b.loop->size()]] - p;
+    for (std::size_t i = 0; i != loop.size(); ++i) {
+      const Local_vector q = m_points[loop[i]] - p, r = m_points[loop[(i + 1) % loop.size()]] - p;
       const double yq = q * v, yr = r * v;
       if ((yq > 0.) != (yr > 0.) && ((q * u) * yr > (r * u) * yq) == (yr > yq))
         result = !result;
@@ -159,122 +265,20 @@ private:
     return result;
   }
 
-  // Triangles of the surface in the plane of the loop and inside of it, but for those of parts that have a boundary or
-  // points of their own: those are no caps.
-  template <typename CancellationPoint>
-  std::vector<Triangle> find_caps(const Planar_loop& loop, CancellationPoint& cancellation_point)
-  {
-    std::vector<Triangle> flat, caps;
-    if (m_visits_left < m_points.size())
-      return caps;
-    m_visits_left -= m_points.size();
-    const double thickness = FLATNESS * loop.mean_edge;
-    const auto is_in_face = [&](const Triangle& t) {
-      return std::all_of(
-               t.begin(), t.end(),
-               [&](Point_index p) { return std::abs(loop.normal * (m_points[p] - loop.origin)) <= thickness; }) &&
-             is_point_inside(centroid(m_points[t[0]], m_points[t[1]], m_points[t[2]]), loop);
-    };
-    m_builder.for_each_triangle([&](const Triangle& t, auto) {
-      cancellation_point();
-      if (is_in_face(t))
-        flat.push_back(t);
-    });
-    // by the edges between them
-    Parity_union_find parts(m_points.size());
-    for (const Triangle& t : flat)
-      for (Point_index p : t) {
-        m_builder.open(p);
-        parts.unite(t[0], p, false);
-      }
-    std::vector<Point_index> others;
-    for (const Triangle& t : flat)
-      for (std::size_t i = 0; i != 3; ++i) {
-        std::size_t outside = 0;
-        m_builder.for_each_triangle_at(t[i], [&](const Triangle& other) { outside += is_in_face(other) ? 0u : 1u; });
-        if (outside == 0 || m_builder.number_of_triangles(t[i], t[(i + 1) % 3]) != 2)
-          others.push_back(parts.find(t[i]).root);
-      }
-    std::sort(others.begin(), others.end());
-    std::copy_if(flat.begin(), flat.end(), std::back_inserter(caps), [&](const Triangle& t) {
-      return !std::binary_search(others.begin(), others.end(), parts.find(t[0]).root);
-    });
-    return caps;
-  }
-
-  // The cycles of edges around the caps.
-  static void append_rims(const std::vector<Triangle>& caps, std::vector<Boundary_loop>& loops)
-  {
-    // The triangles of a cap need not be oriented alike.
-    std::vector<std::array<Point_index, 2> > edges;
-    for (const Triangle& t : caps)
-      for (std::size_t i = 0; i != 3; ++i)
-        edges.push_back({ { (std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3]) } });
-    std::sort(edges.begin(), edges.end());
-    std::map<Point_index, std::vector<Point_index> > next;
-    for (std::size_t i = 0; i != edges.size(); ++i)
-      if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i])) {
-        next[edges[i][0]].push_back(edges[i][1]);
-        next[edges[i][1]].push_back(edges[i][0]);
-      }
-    while (!next.empty()) {
-      Boundary_loop loop(1, next.begin()->first);
-      for (bool is_found = true; is_found;) {
-        const auto it = next.find(loop.back());
-        is_found = it != next.end() && !it->second.empty();
-        if (!is_found)
-          break;
-        const Point_index q = it->second.back();
-        it->second.pop_back();
-        auto& back = next[q];
-        back.erase(std::find(back.begin(), back.end(), loop.back()));
-        loop.push_back(q);
-      }
-      for (Point_index p : loop)
-        if (next.count(p) != 0 && next[p].empty())
-          next.erase(p);
-      if (loop.size() > 3 && loop.front() == loop.back()) {
-        loop.pop_back();
-        loops.push_back(loop);
-      }
-    }
-  }
-
-  // Takes the caps off and fills the loops; if that is not possible, all stays as it was.
-  template <typename OnVerdict, typename CancellationPoint>
-  bool exchange_caps(const std::vector<Triangle>& caps, const Planar_loop& outer,
-                     const std::vector<Boundary_loop>& chosen, OnVerdict& on_verdict,
-                     CancellationPoint& cancellation_point)
-  {
-    const std::vector<Triangle> triangles = fill(outer, chosen, cancellation_point);
-    if (triangles.empty())
-      return false;
-    for (const Triangle& t : caps)
-      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
-    std::size_t size = 0;
-    for (const Boundary_loop& loop : chosen)
-      size += loop.size();
-    if (2 * number_of_folds(triangles) <= size && attach(triangles, on_verdict))
-      return true;
-    for (const Triangle& t : caps)
-      m_builder.restore(t);
-    return false;
-  }
-
   // The triangles inside of an odd number of the loops; none if they do not bound a face.
   template <typename CancellationPoint>
-  std::vector<Triangle> fill(const Planar_loop& outer, const std::vector<Boundary_loop>& chosen,
+  std::vector<Triangle> fill(const Planar_loop& plane, const std::vector<Boundary_loop>& loops,
                              CancellationPoint& cancellation_point) const
   {
     Triangulation triangulation;
-    const Local_vector u = m_points[(*outer.loop)[1]] - m_points[outer.loop->front()],
-                       v = cross_product(outer.normal, u);
+    const Local_vector u = m_points[(*plane.loop)[1]] - m_points[plane.loop->front()],
+                       v = cross_product(plane.normal, u);
     std::size_t size = 0;
-    for (const Boundary_loop& loop : chosen) {
+    for (const Boundary_loop& loop : loops) {
       std::vector<typename Triangulation::Vertex_handle> vertices;
       for (Point_index p : loop) {
         cancellation_point();
-        const Local_vector d = m_points[p] - outer.origin;
+        const Local_vector d = m_points[p] - plane.origin;
         vertices.push_back(triangulation.insert(Planar_point(d * u, d * v)));
         vertices.back()->info() = p;
       }
@@ -283,7 +287,7 @@ private:
           triangulation.insert_constraint(vertices[k], vertices[(k + 1) % loop.size()]);
       size += loop.size();
     }
-    // Loops that touch or cross each other in the plane do not bound a face.
+    // Loops that cross each other in the plane do not bound a face.
     if (triangulation.number_of_vertices() != size || triangulation.dimension() != 2)
       return {};
     return triangles_inside(triangulation);
@@ -352,7 +356,6 @@ private:
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
-  std::size_t m_visits_left;
 };
 
 } // namespace internal

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Parts as a lathe and a mill make them, with points on their walls only, or on their edges only: the flat faces, with
+// holes or without, have none.
+
+#include "isr_test_ctc.h"
+#include "isr_test_pcr.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using namespace isr_test;
+
+std::size_t parts_of(double length, double spacing)
+{
+  return (std::max)(std::size_t(1), std::size_t(std::lround(length / spacing)));
+}
+
+Points ring(const Vector& center, double radius, double spacing)
+{
+  const std::size_t n = parts_of(2. * PI * radius, spacing);
+  Points points;
+  for (std::size_t i = 0; i != n; ++i)
+    points.push_back(on_circle(2. * PI * double(i) / double(n), radius, 0.) + center);
+  return points;
+}
+
+Points rectangle(const Vector& corner, double width, double depth, double spacing)
+{
+  const std::size_t n = parts_of(width, spacing), m = parts_of(depth, spacing);
+  const double dx = width / double(n), dy = depth / double(m);
+  Points points;
+  for (std::size_t i = 0; i != n; ++i) {
+    points.push_back(Point(double(i) * dx, 0., 0.) + corner);
+    points.push_back(Point(width - double(i) * dx, depth, 0.) + corner);
+  }
+  for (std::size_t i = 0; i != m; ++i) {
+    points.push_back(Point(width, double(i) * dy, 0.) + corner);
+    points.push_back(Point(0., depth - double(i) * dy, 0.) + corner);
+  }
+  return points;
+}
+
+// The profile at each of the heights from 0 on.
+template <typename Profile>
+Points extruded(const Profile& profile, double height, double spacing)
+{
+  const std::size_t n = parts_of(height, spacing);
+  Points points;
+  for (std::size_t j = 0; j <= n; ++j)
+    append(points, profile(height * double(j) / double(n)));
+  return points;
+}
+
+void test_part(const std::string& name, const Points& points, long euler_characteristic, std::size_t components = 1)
+{
+  for (double angle : { 0., .7 }) {
+    begin_case(name + (angle == 0. ? "" : ", rotated"));
+    const Points placed = rotated(points, angle);
+    for (const Triples& triples : { checked_ctc(placed), checked_pcr(placed) }) {
+      ISR_CHECK_EQUAL(validation::boundary_edges(triples).size(), 0u);
+      ISR_CHECK_EQUAL(validation::number_of_components(triples), components);
+      ISR_CHECK_EQUAL(validation::euler_characteristic(triples), euler_characteristic);
+      ISR_CHECK(are_outward(placed, triples));
+    }
+  }
+}
+
+void test_turned_parts(double spacing)
+{
+  const Vector up(0, 0, 1), zero(0, 0, 0);
+  const auto rings = [&](const std::vector<double>& radii) {
+    return [=](double z) {
+      Points points;
+      for (double radius : radii)
+        append(points, ring(z * up, radius, spacing));
+      return points;
+    };
+  };
+  const std::string with = ", spacing " + std::to_string(spacing);
+  test_part("rod" + with, extruded(rings({ 1. }), 1., spacing), 2);
+  test_part("pipe" + with, extruded(rings({ 1., .6 }), 3., spacing), 0);
+  test_part("rod, ends only" + with, extruded(rings({ 1. }), 6., 6.), 2);
+  test_part("pipe, ends only" + with, extruded(rings({ 1., .5 }), 9., 9.), 0);
+}
+
+void test_milled_parts(double spacing)
+{
+  const Vector up(0, 0, 1);
+  const std::string with = ", spacing " + std::to_string(spacing);
+  const auto square = [&](double z) { return rectangle(z * up, 3., 3., spacing); };
+  test_part("block" + with, extruded(square, 1., spacing), 2);
+  const auto frame = [&](double z) {
+    Points points = square(z);
+    append(points, rectangle(Vector(.5, .5, z), 2., 2., spacing));
+    return points;
+  };
+  test_part("frame" + with, extruded(frame, 1., spacing), 0);
+  const auto plate = [&](double z) {
+    Points points = rectangle(z * up, 6., 3., spacing);
+    for (double x : { 1.2, 3., 4.8 })
+      append(points, ring(Vector(x, 1.5, z), .5, spacing));
+    return points;
+  };
+  for (double height : { .6, 2. })
+    test_part("plate with three holes" + with, extruded(plate, height, spacing), -4);
+  Points boss = extruded(square, 1., spacing);
+  append(boss, extruded([&](double z) { return ring(Vector(1.5, 1.5, 1. + z), 1., spacing); }, .6, spacing));
+  test_part("block with a boss" + with, boss, 2);
+}
+
+int main()
+{
+  for (double spacing : { .1, .2 }) {
+    test_turned_parts(spacing);
+    test_milled_parts(spacing);
+  }
+  return result();
+}
