@@ -80,7 +80,7 @@ Points ring(std::size_t n, double radius, double z)
 // The outline of an L, its edges cut into `parts`.
 Points angle_profile(std::size_t parts, double z)
 {
-  const std::vector<Point> corners = { Point(0, 0, z), Point(2, 0, z),  Point(2, .6, z),
+  const std::vector<Point> corners = { Point(0, 0, z),   Point(2, 0, z),  Point(2, .6, z),
                                        Point(.6, .6, z), Point(.6, 2, z), Point(0, 2, z) };
   Points points;
   for (std::size_t i = 0; i != corners.size(); ++i)
