@@ -60,7 +60,7 @@ public:
                      [](const Planar_loop& a, const Planar_loop& b) { return a.area > b.area; });
     std::size_t planes = 0;
     for (const Planar_loop& plane : planar) {
-      if (plane.is_done || plane.loop->size() < MINIMUM_OUTER_SIZE || planes++ == MAXIMUM_PLANES)
+      if (plane.is_done || plane.loop->size() < MINIMUM_OUTER_SIZE || planes++ >= MAXIMUM_PLANES)
         continue;
       cancellation_point(planar.size());
       std::vector<Point_index> points;
@@ -145,11 +145,14 @@ private:
   bool is_in_plane(const Triangle& t, const Planar_loop& plane) const
   {
     double height = 0.;
-    for (Point_index p : t)
-      height = (std::max)(height, std::abs(plane.normal * (m_points[p] - plane.origin)) / plane.mean_edge);
+    for (Point_index p : t) {
+      height = (std::max)(height, std::abs(plane.normal * (m_points[p] - plane.origin)));
+      if (height > FLATNESS * plane.mean_edge)
+        return false;
+    }
     const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
     const double cosine = n * plane.normal; // times the length of n
-    return height <= ROUNDING || (height <= FLATNESS && 2. * cosine * cosine > n.squared_length());
+    return height <= ROUNDING * plane.mean_edge || 2. * cosine * cosine > n.squared_length();
   }
 
   // `points` are those of loops in the plane, which may be filled. If that is not possible, all stays as it was.
@@ -164,12 +167,9 @@ private:
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    const std::vector<Boundary_loop> rims = find_rims(plane, points);
-    if (is_any_inside(rims, plane)) {
-      const std::vector<Triangle> triangles = fill(plane, rims, cancellation_point);
-      if (!triangles.empty() && 2 * number_of_folds(triangles) <= points.size() && attach(triangles, on_verdict))
-        return;
-    }
+    const std::vector<Triangle> triangles = fill(plane, find_rims(plane, points), cancellation_point);
+    if (!triangles.empty() && 2 * number_of_folds(triangles) <= points.size() && attach(triangles, on_verdict))
+      return;
     for (const Triangle& t : removed)
       m_builder.restore(t);
   }
@@ -242,30 +242,7 @@ private:
     return result;
   }
 
-  bool is_any_inside(const std::vector<Boundary_loop>& loops, const Planar_loop& plane) const
-  {
-    for (const Boundary_loop& a : loops)
-      for (const Boundary_loop& b : loops)
-        if (&a != &b && is_inside(m_points[a.front()], b, plane))
-          return true;
-    return false;
-  }
-
-  // By the number of edges that a ray in the plane crosses.
-  bool is_inside(const Local_point& p, const Boundary_loop& loop, const Planar_loop& plane) const
-  {
-    const Local_vector u = m_points[loop[1]] - m_points[loop[0]], v = cross_product(plane.normal, u);
-    bool result = false;
-    for (std::size_t i = 0; i != loop.size(); ++i) {
-      const Local_vector q = m_points[loop[i]] - p, r = m_points[loop[(i + 1) % loop.size()]] - p;
-      const double yq = q * v, yr = r * v;
-      if ((yq > 0.) != (yr > 0.) && ((q * u) * yr > (r * u) * yq) == (yr > yq))
-        result = !result;
-    }
-    return result;
-  }
-
-  // The triangles inside of an odd number of the loops; none if they do not bound a face.
+  // The triangles inside of an odd number of the loops; none if they do not bound faces, or faces without holes.
   template <typename CancellationPoint>
   std::vector<Triangle> fill(const Planar_loop& plane, const std::vector<Boundary_loop>& loops,
                              CancellationPoint& cancellation_point) const
@@ -293,24 +270,34 @@ private:
     return triangles_inside(triangulation);
   }
 
+  // Floods the plane from outside, across one loop after the other.
   static std::vector<Triangle> triangles_inside(Triangulation& triangulation)
   {
     for (auto f = triangulation.all_faces_begin(); f != triangulation.all_faces_end(); ++f)
       f->info() = UNKNOWN;
     std::vector<Triangle> result;
-    std::vector<Face_handle> todo(1, triangulation.infinite_face());
-    todo.front()->info() = 0;
-    while (!todo.empty()) {
-      const Face_handle f = todo.back();
-      todo.pop_back();
-      if (f->info() == 1)
-        result.push_back(Triangle{ { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() } });
-      for (int i = 0; i != 3; ++i)
-        if (f->neighbor(i)->info() == UNKNOWN) {
-          f->neighbor(i)->info() = f->is_constrained(i) ? 1 - f->info() : f->info();
-          todo.push_back(f->neighbor(i));
-        }
+    std::vector<Face_handle> todo(1, triangulation.infinite_face()), beyond;
+    int depth = 0;
+    for (; !todo.empty(); ++depth) {
+      beyond.clear();
+      while (!todo.empty()) {
+        const Face_handle f = todo.back();
+        todo.pop_back();
+        if (f->info() != UNKNOWN)
+          continue;
+        f->info() = depth;
+        if (depth % 2 == 1)
+          result.push_back(Triangle{ { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() } });
+        for (int i = 0; i != 3; ++i)
+          (f->is_constrained(i) ? beyond : todo).push_back(f->neighbor(i));
+      }
+      beyond.erase(std::remove_if(beyond.begin(), beyond.end(), [](Face_handle f) { return f->info() != UNKNOWN; }),
+                   beyond.end());
+      std::swap(todo, beyond);
     }
+    constexpr int DEPTHS_WITHOUT_HOLES = 2;
+    if (depth <= DEPTHS_WITHOUT_HOLES)
+      result.clear();
     return result;
   }
 

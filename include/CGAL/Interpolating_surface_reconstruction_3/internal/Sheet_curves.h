@@ -110,8 +110,8 @@ private:
   // A point is across a face if the way to it along the curve is so many times as long. Round a circle it is less.
   static constexpr double DETOUR = 2.;
 
-  // Points without two edges, in parts of all, that paths can be expected to mend.
-  static constexpr std::size_t PART_TO_MEND = 8;
+  // Points without two edges that paths can be expected to mend: in parts of all, and in all. It takes milliseconds each.
+  static constexpr std::size_t PART_TO_MEND = 8, MAXIMUM_TO_MEND = 64;
 
   // Edges of a path: odd, so that it adds one more than it takes away.
   static constexpr std::size_t MAXIMUM_PATH = 15;
@@ -207,7 +207,8 @@ private:
   bool complete(CancellationPoint& cancellation_point)
   {
     const auto wanting = std::count_if(m_curves.begin(), m_curves.end(), [](int edges) { return edges != 2; });
-    if (static_cast<std::size_t>(wanting) * PART_TO_MEND > m_curves.size())
+    const auto number = static_cast<std::size_t>(wanting);
+    if (number > MAXIMUM_TO_MEND || number * PART_TO_MEND > m_curves.size())
       return false;
     for (std::size_t i = 0; i != m_curves.size(); ++i)
       while (!is_full(i)) {
