@@ -91,12 +91,12 @@ private:
     const Frame from = frame_of(base), to = frame_of(top);
     const double scale = to.radius / from.radius;
     std::vector<std::pair<double, Point_index> > sorted; // along an axis
+    sorted.reserve(top.size());
     const int axis = longest_axis(top);
     for (Point_index p : top)
       sorted.emplace_back(m_points[p][axis], p);
     std::sort(sorted.begin(), sorted.end());
     m_images.clear();
-    std::vector<Point_index> used;
     for (std::size_t i = 0; i != base.size(); ++i) {
       cancellation_point();
       const Local_point target = to.centroid + scale * (m_points[base[i]] - from.centroid);
@@ -110,7 +110,7 @@ private:
         return false;
       m_images.push_back(it->second);
     }
-    used = m_images;
+    std::vector<Point_index> used = m_images;
     std::sort(used.begin(), used.end());
     return used == top;
   }
