@@ -154,21 +154,28 @@ struct Stars
     return links[p].size() > 2 && std::count(links[p].begin(), links[p].end(), GAP) == 0;
   }
 
-  // The share of triangles that all of their three vertices have in their stars.
-  double agreed_share() const
+  // In how many stars of its vertices each triangle is.
+  std::map<std::array<Point_index, 3>, int> votes() const
   {
-    std::map<std::array<Point_index, 3>, int> votes;
+    std::map<std::array<Point_index, 3>, int> result;
     for (std::size_t p = 0; p != links.size(); ++p)
       for (std::size_t i = 0; i != links[p].size(); ++i) {
         std::array<Point_index, 3> t = { Point_index(p), links[p][i], links[p][(i + 1) % links[p].size()] };
         std::sort(t.begin(), t.end());
         if (t[2] != GAP)
-          ++votes[t];
+          ++result[t];
       }
+    return result;
+  }
+
+  // The share of triangles that all of their three vertices have in their stars.
+  double agreed_share() const
+  {
+    const std::map<std::array<Point_index, 3>, int> all = votes();
     std::size_t agreed = 0;
-    for (const auto& v : votes)
+    for (const auto& v : all)
       agreed += v.second == 3 ? 1 : 0;
-    return votes.empty() ? 0. : double(agreed) / double(votes.size());
+    return all.empty() ? 0. : double(agreed) / double(all.size());
   }
 };
 

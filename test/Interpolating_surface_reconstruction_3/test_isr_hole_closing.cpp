@@ -221,6 +221,12 @@ Mesh walls(std::size_t n, const std::vector<double>& radii)
   return mesh;
 }
 
+// Adds a triangle of a cap that faces down at the lower end (0) of a wall, up at the upper one (1).
+void add_to_cap(Mesh& mesh, std::size_t end, const Triple& t)
+{
+  mesh.triples.push_back(end == 0 ? Triple{ t[0], t[2], t[1] } : t);
+}
+
 // Loops in one plane and inside of each other are the edges of faces with holes.
 void test_faces_with_holes()
 {
@@ -263,10 +269,8 @@ void test_faces_with_holes()
   begin_case("a plug in a pipe");
   Mesh plug = walls(n, { 1., .5 });
   for (std::size_t end : { 0u, 1u })
-    for (std::size_t i = 1; i + 1 != n; ++i) {
-      const Triple cap{ 2 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * (i + 1) + end };
-      plug.triples.push_back(end == 0 ? Triple{ cap[0], cap[2], cap[1] } : cap);
-    }
+    for (std::size_t i = 1; i + 1 != n; ++i)
+      add_to_cap(plug, end, Triple{ 2 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * (i + 1) + end });
   Hand_surface w(plug.points);
   ISR_CHECK(w.add(plug.triples));
   ISR_CHECK_EQUAL(loops_of(w).size(), 2u);
@@ -281,10 +285,8 @@ void test_faces_with_holes()
   Mesh core = walls(n, { 1., .5 });
   for (std::size_t end : { 0u, 1u }) {
     core.points.push_back(Point(0., 0., double(end)));
-    for (std::size_t i = 0; i != n; ++i) {
-      const Triple cap{ 4 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * ((i + 1) % n) + end };
-      core.triples.push_back(end == 0 ? Triple{ cap[0], cap[2], cap[1] } : cap);
-    }
+    for (std::size_t i = 0; i != n; ++i)
+      add_to_cap(core, end, Triple{ 4 * n + end, 2 * n + 2 * i + end, 2 * n + 2 * ((i + 1) % n) + end });
   }
   Hand_surface x(core.points);
   ISR_CHECK(x.add(core.triples));

@@ -144,15 +144,7 @@ void test_diagonals_of_squares()
     }
     const Indexed_points indexed(points);
     const Stars stars = construct_stars<Nearest_neighbors>(indexed, Restricted_voronoi_star_3());
-    std::map<std::array<Point_index, 3>, int> votes;
-    for (std::size_t p = 0; p != stars.links.size(); ++p)
-      for (std::size_t i = 0; i != stars.links[p].size(); ++i) {
-        std::array<Point_index, 3> t = { Point_index(p), stars.links[p][i],
-                                         stars.links[p][(i + 1) % stars.links[p].size()] };
-        std::sort(t.begin(), t.end());
-        if (t[2] != GAP)
-          ++votes[t];
-      }
+    const std::map<std::array<Point_index, 3>, int> votes = stars.votes();
     std::map<std::size_t, std::size_t> triangles_of_square; // by its corner closest to the origin
     for (const auto& v : votes) {
       if (v.second != 3)
@@ -187,15 +179,7 @@ void test_cocircular()
       }
       const Indexed_points indexed(points);
       const Stars stars = construct_stars<Nearest_neighbors>(indexed, Restricted_voronoi_star_3());
-      std::map<std::array<Point_index, 3>, int> votes;
-      for (std::size_t p = 0; p != n; ++p)
-        for (std::size_t i = 0; i != stars.links[p].size(); ++i) {
-          std::array<Point_index, 3> t = { Point_index(p), stars.links[p][i],
-                                           stars.links[p][(i + 1) % stars.links[p].size()] };
-          std::sort(t.begin(), t.end());
-          if (t[2] != GAP)
-            ++votes[t];
-        }
+      const std::map<std::array<Point_index, 3>, int> votes = stars.votes();
       assert(votes.size() == n - 2);
       assert(std::all_of(votes.begin(), votes.end(), [](const auto& v) { return v.second == 3; }));
     }

@@ -16,7 +16,9 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -106,24 +108,18 @@ private:
   // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
   static constexpr double FLATNESS = .125;
 
-  // The same, where coordinates have six digits.
-  static constexpr double ROUNDING = 1e-4;
-
   void add_if_planar(const Boundary_loop& loop, std::vector<Planar_loop>& planar) const
   {
-    Planar_loop result{ &loop, m_points[loop.front()], Local_vector(0, 0, 0), 0., 0., false };
-    for (std::size_t i = 0; i != loop.size(); ++i) {
-      const Point_index p = loop[i], q = loop[(i + 1) % loop.size()];
-      if (m_builder.number_of_triangles(p, q) != 1)
+    for (std::size_t i = 0; i != loop.size(); ++i)
+      if (m_builder.number_of_triangles(loop[i], loop[(i + 1) % loop.size()]) != 1)
         return;
-      result.normal = result.normal + cross_product(m_points[p] - result.origin, m_points[q] - result.origin);
-      result.mean_edge += std::sqrt((m_points[q] - m_points[p]).squared_length()) / double(loop.size());
-    }
-    const double length = std::sqrt(result.normal.squared_length());
+    const Local_vector normal = loop_normal(m_points, loop);
+    const double length = std::sqrt(normal.squared_length());
     if (!(length > 0.))
       return;
-    result.area = length / 2;
-    result.normal = result.normal / length;
+    const Planar_loop result{
+      &loop, m_points[loop.front()], normal / length, length / 2, mean_edge_of_loop(m_points, loop), false
+    };
     if (is_in_plane(result, result))
       planar.push_back(result);
   }
@@ -152,7 +148,7 @@ private:
     }
     const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
     const double cosine = n * plane.normal; // times the length of n
-    return height <= ROUNDING * plane.mean_edge || 2. * cosine * cosine > n.squared_length();
+    return height <= ROUNDING_OF_SIX_DIGITS * plane.mean_edge || 2. * cosine * cosine > n.squared_length();
   }
 
   // `points` are those of loops in the plane, which may be filled. If that is not possible, all stays as it was.
@@ -168,7 +164,8 @@ private:
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     const std::vector<Triangle> triangles = fill(plane, find_rims(plane, points), cancellation_point);
-    if (!triangles.empty() && 2 * number_of_folds(triangles) <= points.size() && attach(triangles, on_verdict))
+    if (!triangles.empty() && 2 * number_of_folds(triangles) <= points.size() &&
+        attach_all(m_builder, triangles, on_verdict))
       return;
     for (const Triangle& t : removed)
       m_builder.restore(t);
@@ -322,23 +319,6 @@ private:
                        b = cross_product(e, m_points[opposite] - m_points[p]);
     const double cosine = a * b;
     return cosine > 0. && 2. * cosine * cosine > a.squared_length() * b.squared_length();
-  }
-
-  // All triangles or none.
-  template <typename OnVerdict>
-  bool attach(const std::vector<Triangle>& triangles, OnVerdict& on_verdict)
-  {
-    const std::size_t before = m_builder.number_of_stored_triangles();
-    for (const Triangle& t : triangles) {
-      const Triangle_verdict verdict = m_builder.try_add(t[0], t[1], t[2]);
-      on_verdict(t, verdict);
-      if (verdict == Triangle_verdict::ADDED)
-        continue;
-      for (std::size_t added = m_builder.number_of_stored_triangles(); added-- != before;)
-        m_builder.remove(static_cast<typename Builder::Triangle_index>(added));
-      return false;
-    }
-    return true;
   }
 
   const std::vector<Local_point>& m_points;

@@ -30,6 +30,23 @@ namespace internal {
 // A cycle of boundary edges, as the points that it visits.
 using Boundary_loop = std::vector<Point_index>;
 
+// The sum of the normals of the triangles of a fan over the loop, each twice as long as its area.
+inline Local_vector loop_normal(const std::vector<Local_point>& points, const Boundary_loop& loop)
+{
+  Local_vector result(0, 0, 0);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    result = result + cross_product(points[loop[i]] - points[loop[0]], points[loop[i + 1]] - points[loop[0]]);
+  return result;
+}
+
+inline double mean_edge_of_loop(const std::vector<Local_point>& points, const Boundary_loop& loop)
+{
+  double length = 0.;
+  for (std::size_t i = 0; i != loop.size(); ++i)
+    length += std::sqrt((points[loop[(i + 1) % loop.size()]] - points[loop[i]]).squared_length());
+  return length / double(loop.size());
+}
+
 // Finds the boundary loops of a surface. Where several fans meet at a point, a loop goes on across
 // the gap to the next fan around the point, so that filling the loops joins the fans.
 template <typename Builder>

@@ -59,13 +59,10 @@ private:
   // A surface has few outlines. More than that is no sheet.
   static constexpr std::size_t VISITS_PER_POINT = 8;
 
-  // The normal of the loop is the sum of the normals of the triangles of a fan over it.
   bool find_plane(const Boundary_loop& loop)
   {
     m_origin = m_points[loop[0]];
-    m_normal = Local_vector(0, 0, 0);
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-      m_normal = m_normal + cross_product(m_points[loop[i]] - m_origin, m_points[loop[i + 1]] - m_origin);
+    m_normal = loop_normal(m_points, loop);
     return m_normal.squared_length() > 0.;
   }
 

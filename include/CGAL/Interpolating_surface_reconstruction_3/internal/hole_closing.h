@@ -19,6 +19,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -112,9 +113,6 @@ private:
   // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
   static constexpr std::size_t MAXIMUM_PLANAR_SIZE = 8;
 
-  // Of the thickness of a sheet, in its mean edges: files tell coordinates with six digits.
-  static constexpr double ROUNDING = 1e-4;
-
   bool is_next_to_bare_point(Point_index p) const
   {
     const Star_table& stars = m_builder.compatibility().stars();
@@ -181,7 +179,7 @@ private:
   bool is_short(const Boundary_loop& loop) const { return loop.size() <= MAXIMUM_PLANAR_SIZE; }
 
   // That of a sheet whose outline is the loop. A short loop is a gap, unless the sheet is flat up to rounding.
-  double maximum_thickness(const Boundary_loop& loop) const { return is_short(loop) ? ROUNDING : 1.; }
+  double maximum_thickness(const Boundary_loop& loop) const { return is_short(loop) ? ROUNDING_OF_SIX_DIGITS : 1.; }
 
   // Whether most stars along the loop agree that the surface ends there.
   bool do_stars_end_along(const Boundary_loop& loop) const

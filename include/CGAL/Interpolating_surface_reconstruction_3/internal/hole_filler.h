@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ public:
   bool operator()(const Boundary_loop& loop, OnVerdict on_verdict,
                   CancellationPoint&& cancellation_point = CancellationPoint())
   {
-    return prepare(loop, cancellation_point) && attach(on_verdict);
+    return prepare(loop, cancellation_point) && attach_all(m_builder, m_fill, on_verdict);
   }
 
   // The same, but refuses a filling that does not fulfil the minimum planarity criterion (Eq. 4.1).
@@ -57,12 +58,11 @@ public:
   bool fill_if_planar(const Boundary_loop& loop, OnVerdict on_verdict)
   {
     No_cancellation cancellation_point; // they are short
-    return prepare(loop, cancellation_point) && is_planar() && attach(on_verdict);
+    return prepare(loop, cancellation_point) && is_planar() && attach_all(m_builder, m_fill, on_verdict);
   }
 
 private:
   using Triangle = typename Builder::Triangle;
-  using Triangle_index = typename Builder::Triangle_index;
 
   // The optimal triangulation takes time cubic in the length of the loop; longer loops are shortened
   // by cutting off the ear with the shortest chord first.
@@ -249,28 +249,11 @@ private:
            bending(p, q, r, m_outer[ear.before]) != IMPOSSIBLE && bending(q, r, p, m_outer[ear.at]) != IMPOSSIBLE;
   }
 
-  // All triangles or none; growing from the surface, so that the gate sees the orientation.
-  template <typename OnVerdict>
-  bool attach(OnVerdict on_verdict)
-  {
-    const std::size_t before = m_builder.number_of_stored_triangles();
-    for (const Triangle& t : m_fill) {
-      const Triangle_verdict verdict = m_builder.try_add(t[0], t[1], t[2]);
-      on_verdict(t, verdict);
-      if (verdict != Triangle_verdict::ADDED) {
-        for (std::size_t added = m_builder.number_of_stored_triangles(); added-- != before;)
-          m_builder.remove(static_cast<Triangle_index>(added));
-        return false;
-      }
-    }
-    return true;
-  }
-
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
   Boundary_loop m_loop;
   std::vector<Point_index> m_outer; // the vertex of the surface beyond the edge from point i to the next
-  std::vector<Triangle> m_fill;
+  std::vector<Triangle> m_fill;     // growing from the surface, so that the gate sees the orientation
   std::vector<Entry> m_table;
 };
 

@@ -119,16 +119,11 @@ private:
   // Without its points, as thick as rounding may make it.
   Sheet sheet_in(const Boundary_loop& outline) const
   {
-    const Local_point& origin = m_points[outline.front()];
-    Local_vector normal(0, 0, 0);
-    double length = 0.;
-    for (std::size_t i = 0; i != outline.size(); ++i) {
-      const Local_point &p = m_points[outline[i]], &q = m_points[outline[(i + 1) % outline.size()]];
-      normal = normal + cross_product(p - origin, q - origin);
-      length += std::sqrt((q - p).squared_length());
-    }
-    const double mean_edge = length / double(outline.size());
-    return Sheet{ {}, origin, normal / std::sqrt(normal.squared_length()), mean_edge, ROUNDING * mean_edge };
+    const Local_vector normal = loop_normal(m_points, outline);
+    const double mean_edge = mean_edge_of_loop(m_points, outline);
+    return Sheet{
+      {}, m_points[outline.front()], normal / std::sqrt(normal.squared_length()), mean_edge, ROUNDING * mean_edge
+    };
   }
 
   // Turns the normal of each sheet away from all other sheets; false if they are not all on one side.

@@ -26,6 +26,23 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
+// Attaches all of the triangles; if the gate of the builder refuses one, none, and returns false.
+template <typename Builder, typename OnVerdict>
+bool attach_all(Builder& builder, const std::vector<std::array<Point_index, 3> >& triangles, OnVerdict& on_verdict)
+{
+  const std::size_t before = builder.number_of_stored_triangles();
+  for (const std::array<Point_index, 3>& t : triangles) {
+    const Triangle_verdict verdict = builder.try_add(t[0], t[1], t[2]);
+    on_verdict(t, verdict);
+    if (verdict == Triangle_verdict::ADDED)
+      continue;
+    for (std::size_t added = builder.number_of_stored_triangles(); added-- != before;)
+      builder.remove(static_cast<typename Builder::Triangle_index>(added));
+    return false;
+  }
+  return true;
+}
+
 // Exchanges the triangles of the points, which are whole components, for the added ones. Returns the triangles removed;
 // none, with the surface as it was, if the gate of the builder refuses more of the added ones than `maximum_refused`.
 // `cancellation_point()` is called again and again and may throw, before anything changes.
