@@ -174,9 +174,9 @@ private:
     std::vector<std::uint32_t> end(1, others.back()); // backwards
     while (others.size() > 2) {
       const auto largest = std::max_element(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return is_less(m_neighborhood[a], m_neighborhood[b]);
+        return is_lexicographically_less(m_neighborhood[a], m_neighborhood[b]);
       });
-      if (is_less(m_neighborhood[*largest], point))
+      if (is_lexicographically_less(m_neighborhood[*largest], point))
         break;
       if (largest == others.begin())
         link.push_back(others[1]);
@@ -229,18 +229,7 @@ private:
   {
     const Vector_3 p(0, 0, 0);
     const Vector_3 &q = m_neighborhood[q_index], &r = m_neighborhood[r_index], &s = m_neighborhood[s_index];
-    const double own = (std::max)(squared_circumdiameter(p, q, r), squared_circumdiameter(p, r, s)),
-                 other = (std::max)(squared_circumdiameter(p, q, s), squared_circumdiameter(q, r, s));
-    const bool is_tie = own >= (1. - ROUNDING) * other && other >= (1. - ROUNDING) * own;
-    return is_tie ? is_less((std::max)(p, r, is_less), (std::max)(q, s, is_less)) : own < other;
-  }
-
-  // All stars see the same order of the points, so that cocircular ones, such as those of a grid, get the same
-  // diagonals everywhere. The one that spares the last point is that of the symbolic perturbation of
-  // Delaunay_triangulation_3.
-  static bool is_less(const Vector_3& a, const Vector_3& b)
-  {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+    return is_first_diagonal_better(p, q, r, s);
   }
 
   const Star_neighborhood& m_neighborhood;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Diagonal_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
@@ -171,6 +172,8 @@ public:
       if (join_components(m_progress))
         unused = insert(m_progress);
     }
+    Diagonal_exchange<Builder> exchange_diagonals(m_cloud.positions(), octree, builder);
+    exchange_diagonals(m_progress);
     if (!m_progress.is_cancelled())
       m_progress.visitor().on_points_unused(unused);
     m_progress.end_stage(attached);

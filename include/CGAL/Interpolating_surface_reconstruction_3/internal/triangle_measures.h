@@ -73,6 +73,28 @@ double squared_circumdiameter(const Location& a, const Location& b, const Locati
   return u.squared_length() * v.squared_length() * (v - u).squared_length() / cross_product(u, v).squared_length();
 }
 
+// Order of points in which vectors from an origin have the same order as the points.
+template <typename Location>
+bool is_lexicographically_less(const Location& a, const Location& b)
+{
+  return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+}
+
+// Whether ac is the better diagonal of the quadrangle a, b, c, d than bd: of the two pairs of triangles, the one whose
+// larger circumscribed circle is smaller. Cocircular points, such as those of a grid, get the diagonal that spares
+// the last point, which is that of the symbolic perturbation of Delaunay_triangulation_3.
+template <typename Location>
+bool is_first_diagonal_better(const Location& a, const Location& b, const Location& c, const Location& d)
+{
+  // More than a rotation of the points changes circles, unless these are tiny.
+  constexpr double ROUNDING = 1e-12;
+  const double first = (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, c, d)),
+               second = (std::max)(squared_circumdiameter(a, b, d), squared_circumdiameter(b, c, d));
+  const bool is_tie = first >= (1. - ROUNDING) * second && second >= (1. - ROUNDING) * first;
+  const auto is_less = [](const Location& p, const Location& q) { return is_lexicographically_less(p, q); };
+  return is_tie ? is_less((std::max)(a, c, is_less), (std::max)(b, d, is_less)) : first < second;
+}
+
 // 4.2.2: cosine of the angle that adds up to 180 degrees with the dihedral angle of the triangles
 // (a, b, c) and (b, a, d): 1 if they continue each other, -1 if they are folded onto each other or
 // if one is degenerate and has no plane.

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIAGONAL_EXCHANGE_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIAGONAL_EXCHANGE_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Exchanges diagonals of the quadrangles that two triangles make where the other diagonal is better in every respect:
+// the larger of the two circles through three points becomes smaller, as where stars decide (Star_diagonals), and the
+// surface bends less at the edges of the quadrangle, or as little. Labels and loops decide by bending or by area alone.
+template <typename Builder>
+class Diagonal_exchange
+{
+public:
+  using Triangle = typename Builder::Triangle;
+
+  Diagonal_exchange(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder)
+    : m_points(points), m_octree(octree), m_builder(builder)
+  { }
+
+  // Looks at the edges of open points only: at others the stars have decided. Ends early if cancelled.
+  template <typename Progress>
+  void operator()(Progress& progress)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      const std::vector<Point_index> open_points = m_builder.open_points(); // others are opened
+      for (Point_index p : open_points) {
+        cancellation_point();
+        m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+          if (m_builder.compatibility().stars().view(p, t[1], t[2]) != Star_table::View::ABSENT)
+            return;
+          push(p, t[1]);
+          push(p, t[2]);
+        });
+      }
+      for (std::size_t k = MAXIMUM_LOOKS * m_queue.size(); k != 0 && !m_queue.empty(); --k) {
+        cancellation_point();
+        const Exchange exchange = m_queue.top();
+        m_queue.pop();
+        if (evaluate(exchange.p, exchange.q) == exchange)
+          try_exchange(exchange);
+      }
+    } catch (const Cancelled&) {
+    }
+  }
+
+private:
+  // Of the diagonal pq for rs, and by which share the square of the larger circle becomes smaller.
+  struct Exchange
+  {
+    double gain;
+    Point_index p, q, r, s;
+    bool is_better;
+
+    auto rank() const { return std::make_tuple(-gain, p, q, r, s); }
+    bool operator<(const Exchange& other) const { return other.rank() < rank(); }
+    bool operator==(const Exchange& other) const { return rank() == other.rank(); }
+  };
+
+  using Neighbors = std::array<Point_index, 2>;
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+
+  // At the edges, on the average: nearly equal circles of rounded points could lead round and round.
+  static constexpr std::size_t MAXIMUM_LOOKS = 16;
+
+  // In the box of a quadrangle, which has few but on a lid over other parts of the surface.
+  static constexpr std::size_t MAXIMUM_POINTS = 256;
+
+  void push(Point_index p, Point_index q)
+  {
+    const Exchange exchange = evaluate((std::min)(p, q), (std::max)(p, q));
+    if (exchange.is_better)
+      m_queue.push(exchange);
+  }
+
+  // The exchange of the edge pq of the surface; without gain if it had better stay.
+  Exchange evaluate(Point_index p, Point_index q) const
+  {
+    const Neighbors opposite = opposite_vertices(p, q);
+    const Point_index r = (std::min)(opposite[0], opposite[1]), s = (std::max)(opposite[0], opposite[1]);
+    Exchange result{ 0., p, q, r, s, false };
+    if (s == NO_POINT || r == s)
+      return result;
+    const Local_point &a = m_points[p], &b = m_points[q], &c = m_points[r], &d = m_points[s];
+    result.is_better = is_first_diagonal_better(c, a, d, b) && !is_edge(r, s) && !bends_more(p, q, r, s);
+    if (result.is_better)
+      result.gain = 1. - (std::max)(squared_circumdiameter(c, d, a), squared_circumdiameter(c, d, b)) /
+                           (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, b, d));
+    return result;
+  }
+
+  // Third vertices of the first two triangles at the edge, NO_POINT in place of those that are missing.
+  Neighbors opposite_vertices(Point_index p, Point_index q) const
+  {
+    Neighbors result{ { NO_POINT, NO_POINT } };
+    m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+      if (t[1] == q || t[2] == q)
+        result[result[0] == NO_POINT ? 0 : 1] = t[1] == q ? t[2] : t[1];
+    });
+    return result;
+  }
+
+  bool is_edge(Point_index p, Point_index q) const { return opposite_vertices(p, q)[0] != NO_POINT; }
+
+  // Whether the surface bends more at the edges of the quadrangle and at its diagonal if this is rs in place of pq:
+  // the sum of lengths times angles.
+  bool bends_more(Point_index p, Point_index q, Point_index r, Point_index s) const
+  {
+    double present = bending(p, q, r, s), other = bending(r, s, p, q), lengths = length(p, q) + length(r, s);
+    for (const Neighbors& ends : { Neighbors{ { p, q } }, Neighbors{ { q, p } } })
+      for (const Neighbors& sides : { Neighbors{ { r, s } }, Neighbors{ { s, r } } }) {
+        const Neighbors opposite = opposite_vertices(ends[0], sides[0]);
+        lengths += length(ends[0], sides[0]);
+        const Point_index beyond = opposite[0] == ends[1] ? opposite[1] : opposite[0];
+        if (beyond == NO_POINT)
+          continue;
+        present += bending(ends[0], sides[0], ends[1], beyond);
+        other += bending(ends[0], sides[0], sides[1], beyond);
+      }
+    return other > present + ROUNDING_OF_SIX_DIGITS * lengths;
+  }
+
+  double bending(Point_index p, Point_index q, Point_index r, Point_index s) const
+  {
+    const Local_vector edge = m_points[q] - m_points[p], u = m_points[r] - m_points[p], v = m_points[s] - m_points[p];
+    const Local_vector n = cross_product(edge, u), m = cross_product(v, edge);
+    return std::sqrt(edge.squared_length()) * std::atan2(std::sqrt(cross_product(n, m).squared_length()), n * m);
+  }
+
+  double length(Point_index p, Point_index q) const { return std::sqrt((m_points[q] - m_points[p]).squared_length()); }
+
+  void try_exchange(const Exchange& exchange)
+  {
+    const auto [gain, p, q, r, s, is_better] = exchange;
+    if (crosses_surface(exchange))
+      return;
+    for (Point_index v : { p, q, r, s })
+      m_builder.open(v);
+    const Triangle old_first = m_builder.triangle(m_builder.find_triangle(p, q, r)),
+                   old_second = m_builder.triangle(m_builder.find_triangle(p, q, s));
+    m_builder.remove(m_builder.find_triangle(p, q, r));
+    m_builder.remove(m_builder.find_triangle(p, q, s));
+    if (m_builder.try_add(r, s, p) == Triangle_verdict::ADDED) {
+      if (m_builder.try_add(s, r, q) == Triangle_verdict::ADDED) {
+        for (Point_index v : { p, q })
+          for (Point_index w : { r, s })
+            push(v, w);
+        return;
+      }
+      m_builder.remove(m_builder.find_triangle(r, s, p));
+    }
+    m_builder.restore(old_first);
+    m_builder.restore(old_second);
+  }
+
+  // Whether a new triangle crosses others with vertices near the quadrangle, or is degenerate.
+  bool crosses_surface(const Exchange& exchange) const
+  {
+    const auto [gain, p, q, r, s, is_better] = exchange;
+    if (is_collinear(Triangle{ { r, s, p } }) || is_collinear(Triangle{ { s, r, q } }))
+      return true;
+    Local_box box;
+    for (Point_index v : { p, q, r, s })
+      box.include(m_points[v]);
+    bool result = false;
+    std::size_t points = 0;
+    m_octree.for_each_leaf_overlapping(box, [&](const Point_octree_3::Node& leaf) {
+      for (Point_index v = leaf.begin; v != leaf.end && !result; ++v)
+        if (box.contains(m_points[v])) {
+          result = ++points > MAXIMUM_POINTS;
+          m_builder.for_each_triangle_at(v, [&](const Triangle& t) { result = result || crosses(exchange, t); });
+        }
+      return !result;
+    });
+    return result;
+  }
+
+  bool crosses(const Exchange& exchange, const Triangle& t) const
+  {
+    const auto [gain, p, q, r, s, is_better] = exchange;
+    const auto has = [&](Point_index v) { return std::find(t.begin(), t.end(), v) != t.end(); };
+    const auto point_of = [&](Point_index v) { return point(v); };
+    return !(has(p) && has(q)) && !is_collinear(t) &&
+           (do_triangles_cross(Triangle{ { r, s, p } }, t, point_of) ||
+            do_triangles_cross(Triangle{ { s, r, q } }, t, point_of));
+  }
+
+  // As only predicates that are not exact take for a triangle, or with rounded positions.
+  bool is_collinear(const Triangle& t) const { return collinear(point(t[0]), point(t[1]), point(t[2])); }
+
+  Kernel::Point_3 point(Point_index p) const
+  {
+    return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
+  }
+
+  const std::vector<Local_point>& m_points;
+  const Point_octree_3& m_octree;
+  Builder& m_builder;
+  std::priority_queue<Exchange> m_queue;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIAGONAL_EXCHANGE_H
