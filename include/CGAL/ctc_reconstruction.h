@@ -45,7 +45,8 @@ other than their points are joined where that bends the surface little.
 
 The triangles form an oriented 2-manifold whose vertices are points of the range: at most two
 triangles meet at an edge, at most one fan of triangles at a vertex, adjacent triangles traverse
-their common edge in opposite directions. By default loops are closed, and closed components face
+their common edge in opposite directions. By default loops are closed, but for those at which
+the stars agree that the surface ends and that cannot be closed without crossing it; closed components face
 outward. The triangles and their order depend on the sequence of points and on the parameters, not
 on the number of threads; a permutation of the points only renames them.
 

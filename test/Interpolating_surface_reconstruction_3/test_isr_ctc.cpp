@@ -12,6 +12,7 @@
 // End to end: surfaces of known topology.
 
 #include "isr_test_ctc.h"
+#include "isr_test_self_intersections.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/Regularity_star_3.h>
@@ -145,6 +146,22 @@ void test_neighbor_radius()
   ISR_CHECK(ctc(s.points, params::neighbor_radius(0.)) == ctc(s.points));
 }
 
+// What would close it crosses it: it stays open without being asked to.
+void test_terrain()
+{
+  begin_case("terrain");
+  constexpr std::size_t N = 45;
+  Points points = with_noise(plane_grid(N).points, .3, 11);
+  for (Point& p : points)
+    p = Point(p.x(), p.y(), 3. * std::sin(p.x() / 7.) * std::cos(p.y() / 5.));
+  Counting_visitor visitor;
+  const Triples triples = checked_ctc(points, visitor, params::keep_boundaries(false));
+  ISR_CHECK_EQUAL(visitor.unused, 0u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(triples), 1);
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), 1u);
+  ISR_CHECK(!has_self_intersection(points, triples));
+}
+
 void test_star_construction()
 {
   begin_case("star construction");
@@ -167,6 +184,7 @@ int main()
   test_maximum_hole_size();
   test_orientation_follows_normals();
   test_neighbor_radius();
+  test_terrain();
   test_star_construction();
   return result();
 }

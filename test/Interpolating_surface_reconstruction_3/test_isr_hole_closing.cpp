@@ -323,6 +323,47 @@ void test_flat_sheet()
   ISR_CHECK(canonical(t.triangles()) == canonical(mesh.triples));
 }
 
+// Hills and valleys, or one hill; stars end along the outline, which lies in a plane.
+Mesh hills(bool has_valleys)
+{
+  constexpr std::size_t M = 24;
+  Mesh mesh = sheet(M);
+  for (Point& p : mesh.points) {
+    const double k = (has_valleys ? 4. : 1.) * PI / double(M);
+    p = Point(p.x(), p.y(), 4. * std::sin(k * p.x()) * std::sin(k * p.y()));
+  }
+  return mesh;
+}
+
+// A flat lid closes the outline, but goes through the surface where it passes from hills to valleys.
+void test_crossing_lid()
+{
+  begin_case("a lid that crosses the surface");
+  const Mesh valleys = hills(true);
+  Hand_surface s(valleys.points, links_of(valleys.points.size(), valleys.triples));
+  const std::size_t size = loops_of(s)[0].size();
+  Hole_closing<Builder> closing(s.cloud.positions(), s.builder, UNLIMITED);
+  for (int time = 0; time != 2; ++time) {
+    ISR_CHECK(closing(no_boundary, no_progress, ignore_verdict));
+    ISR_CHECK(canonical(s.triangles()) == canonical(valleys.triples));
+    ISR_CHECK_EQUAL(loops_of(s)[0].size(), size);
+    ISR_CHECK(closing.find_open_loops(no_boundary, no_progress).points_of_failed.empty());
+  }
+
+  begin_case("a lid that does not");
+  const Mesh hill = hills(false);
+  Hand_surface t(hill.points, links_of(hill.points.size(), hill.triples));
+  ISR_CHECK(close(t));
+  ISR_CHECK_EQUAL(t.triangles().size(), hill.triples.size() + size - 2);
+
+  begin_case("a lid where many stars conflict");
+  Mesh conflicts = valleys;
+  append(conflicts.points, random_cube(valleys.points.size() / 8, 5));
+  Hand_surface u(conflicts.points, links_of(conflicts.points.size(), conflicts.triples));
+  ISR_CHECK(close(u));
+  ISR_CHECK_EQUAL(u.triangles().size(), valleys.triples.size() + size - 2);
+}
+
 // Loops that are left, but for those that are to stay.
 void test_failed_loops()
 {
@@ -551,6 +592,7 @@ int main()
   test_long_loop();
   test_faces_with_holes();
   test_flat_sheet();
+  test_crossing_lid();
   test_failed_loops();
   test_islands();
   test_maximum_size();

@@ -23,6 +23,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_filler.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -75,7 +76,7 @@ public:
     Flat_sheet<Builder> flat_sheet(m_points, m_builder);
     try {
       for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point))
-        if (loop.size() <= m_maximum_size && !is_boundary(loop)) {
+        if (loop.size() <= m_maximum_size && !is_boundary(loop) && !has_crossing_lid(loop)) {
           if (do_stars_end_along(loop) && flat_sheet.is_outline(loop, maximum_thickness(loop), cancellation_point))
             result.outlines.push_back(loop);
           else
@@ -163,17 +164,88 @@ private:
                                         OnVerdict on_verdict)
   {
     std::vector<Boundary_loop> failed;
+    std::vector<Lid> lids;
     Flat_sheet<Builder> flat_sheet(m_points, m_builder);
     for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point)) {
       cancellation_point(loop.size());
-      if (loop.size() > m_maximum_size || is_boundary(loop))
+      if (loop.size() > m_maximum_size || is_boundary(loop) || has_crossing_lid(loop))
         continue;
       const bool is_end = do_stars_end_along(loop);
-      const bool is_outline = is_end && flat_sheet.is_outline(loop, maximum_thickness(loop), cancellation_point);
-      if (!is_outline && !m_fill(loop, on_verdict, cancellation_point) && (is_short(loop) || !is_end))
+      if (is_end && flat_sheet.is_outline(loop, maximum_thickness(loop), cancellation_point))
+        continue;
+      const std::size_t first = m_builder.number_of_stored_triangles();
+      const bool is_filled = m_fill(loop, on_verdict, cancellation_point);
+      if (is_end && !is_short(loop)) {
+        if (is_filled && do_most_stars_agree())
+          lids.push_back(Lid{ first, m_builder.number_of_stored_triangles(), loop });
+      } else if (!is_filled)
         failed.push_back(loop);
     }
+    remove_crossing_lids(lids, cancellation_point);
     return failed;
+  }
+
+  // The triangles stored from `begin` to `end` that fill a loop at which the stars say that the surface ends.
+  struct Lid
+  {
+    std::size_t begin, end;
+    Boundary_loop loop;
+  };
+
+  // Whether they can be believed where they say that the surface ends: of undersampled parts, a third conflicts, of open
+  // surfaces hardly any.
+  bool do_most_stars_agree() const
+  {
+    constexpr std::size_t PART_OF_CONFLICTS = 10;
+    const std::size_t points = m_points.size();
+    return (points - m_builder.compatibility().number_of_agreed_points()) * PART_OF_CONFLICTS <= points;
+  }
+
+  // Such a loop stays open if what fills it crosses the surface, as that of the outline of a terrain may.
+  template <typename CancellationPoint>
+  void remove_crossing_lids(const std::vector<Lid>& lids, CancellationPoint& cancellation_point)
+  {
+    using Index = typename Builder::Triangle_index;
+    using Triangle = typename Builder::Triangle;
+    if (lids.empty())
+      return;
+    std::vector<Triangle> of_lids, crossing;
+    for (const Lid& lid : lids)
+      for (std::size_t t = lid.begin; t != lid.end; ++t)
+        of_lids.push_back(m_builder.triangle(static_cast<Index>(t)));
+    std::sort(of_lids.begin(), of_lids.end());
+    const auto is_of_lid = [&](const Triangle& t) { return std::binary_search(of_lids.begin(), of_lids.end(), t); };
+    Surface_crossings<Builder>(m_points, m_builder)
+      .for_each(
+        static_cast<Index>(lids.front().begin), is_of_lid, [](const Triangle&) { return true; },
+        [&](const Triangle& t, const Triangle&) { crossing.push_back(t); }, cancellation_point);
+    std::sort(crossing.begin(), crossing.end());
+    for (const Lid& lid : lids) {
+      const auto crosses = [&](std::size_t t) {
+        return std::binary_search(crossing.begin(), crossing.end(), m_builder.triangle(static_cast<Index>(t)));
+      };
+      std::size_t t = lid.begin;
+      while (t != lid.end && !crosses(t))
+        ++t;
+      if (t == lid.end)
+        continue;
+      for (t = lid.begin; t != lid.end; ++t)
+        m_builder.remove(static_cast<Index>(t));
+      m_with_crossing_lids.push_back(sorted(lid.loop));
+    }
+    std::sort(m_with_crossing_lids.begin(), m_with_crossing_lids.end());
+  }
+
+  bool has_crossing_lid(const Boundary_loop& loop) const
+  {
+    return !m_with_crossing_lids.empty() &&
+           std::binary_search(m_with_crossing_lids.begin(), m_with_crossing_lids.end(), sorted(loop));
+  }
+
+  static Boundary_loop sorted(Boundary_loop loop)
+  {
+    std::sort(loop.begin(), loop.end());
+    return loop;
   }
 
   bool is_short(const Boundary_loop& loop) const { return loop.size() <= MAXIMUM_PLANAR_SIZE; }
@@ -287,6 +359,7 @@ private:
   std::size_t m_maximum_size;
   Hole_filler<Builder> m_fill;
   std::vector<typename Builder::Triangle> m_removed; // in this order, to be restored
+  std::vector<Boundary_loop> m_with_crossing_lids;   // stay open; sorted in themselves and among each other
 };
 
 } // namespace internal

@@ -55,19 +55,34 @@ public:
   std::vector<Crossing> operator()(Triangle_index first, const IsSuspect& is_suspect, const IsWanted& is_wanted,
                                    CancellationPoint& cancellation_point)
   {
+    std::vector<Crossing> crossings;
+    for_each(
+      first, is_suspect, is_wanted,
+      [&](const Triangle& s, const Triangle& t) { crossings.push_back(std::minmax(s[0], t[0])); }, cancellation_point);
+    std::sort(crossings.begin(), crossings.end());
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    return crossings;
+  }
+
+  // The same crossings as calls of visit(triangle, other triangle), some of them twice.
+  template <typename IsSuspect, typename IsWanted, typename Visit, typename CancellationPoint>
+  void for_each(Triangle_index first, const IsSuspect& is_suspect, const IsWanted& is_wanted, const Visit& visit,
+                CancellationPoint& cancellation_point)
+  {
     m_late.clear();
-    m_crossings.clear();
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
       if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)))
         add_box(m_builder.triangle(t), m_late);
     m_pairs_left = (std::max)(PAIRS_OF_FEW_POINTS, PAIRS_PER_POINT * m_points.size());
-    if (!m_late.empty()) {
-      sort_late();
-      cross_with_surface(is_wanted, cancellation_point);
+    if (m_late.empty())
+      return;
+    sort_late();
+    try {
+      cross_with_surface(is_wanted, visit, cancellation_point);
+    } catch (const Too_many_pairs&) {
+      for (const Box& box : m_late)
+        visit(box.info(), box.info());
     }
-    std::sort(m_crossings.begin(), m_crossings.end());
-    m_crossings.erase(std::unique(m_crossings.begin(), m_crossings.end()), m_crossings.end());
-    return std::move(m_crossings);
   }
 
 private:
@@ -107,39 +122,32 @@ private:
     return false;
   }
 
-  template <typename IsWanted, typename CancellationPoint>
-  void cross_with_surface(const IsWanted& is_wanted, CancellationPoint& cancellation_point)
+  template <typename IsWanted, typename Visit, typename CancellationPoint>
+  void cross_with_surface(const IsWanted& is_wanted, const Visit& visit, CancellationPoint& cancellation_point)
   {
     const std::size_t block_size = (std::max)(BLOCK_SIZE, m_late.size());
     std::vector<Box> block;
     block.reserve(block_size);
-    try {
-      m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
-        if (is_wanted(t) && may_cross(t))
-          add_box(t, block);
-        if (block.size() == block_size)
-          cross_with(block, cancellation_point);
-      });
-      cross_with(block, cancellation_point);
-    } catch (const Too_many_pairs&) {
-      m_crossings.clear();
-      for (const Box& box : m_late)
-        m_crossings.emplace_back(box.info()[0], box.info()[0]);
-    }
+    m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
+      if (is_wanted(t) && may_cross(t))
+        add_box(t, block);
+      if (block.size() == block_size)
+        cross_with(block, visit, cancellation_point);
+    });
+    cross_with(block, visit, cancellation_point);
   }
 
-  template <typename CancellationPoint>
-  void cross_with(std::vector<Box>& block, CancellationPoint& cancellation_point)
+  template <typename Visit, typename CancellationPoint>
+  void cross_with(std::vector<Box>& block, const Visit& visit, CancellationPoint& cancellation_point)
   {
     std::vector<Box> late(m_late); // gets into another order
     box_intersection_d(late.begin(), late.end(), block.begin(), block.end(), [&](const Box& a, const Box& b) {
       cancellation_point();
       if (m_pairs_left-- == 0)
         throw Too_many_pairs();
-      if (is_same(a.info(), b.info()) ||
-          !do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return point(p); }))
-        return;
-      m_crossings.push_back(std::minmax(a.info()[0], b.info()[0]));
+      if (!is_same(a.info(), b.info()) &&
+          do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return point(p); }))
+        visit(a.info(), b.info());
     });
     block.clear();
   }
@@ -170,7 +178,6 @@ private:
   const Builder& m_builder;
   std::vector<Box> m_late;  // by their smallest x
   double m_late_width = 0.; // of the widest one in x
-  std::vector<Crossing> m_crossings;
   std::size_t m_pairs_left = 0;
 };
 
