@@ -349,6 +349,9 @@ void test_crossing_lid()
     ISR_CHECK_EQUAL(loops_of(s)[0].size(), size);
     ISR_CHECK(closing.find_open_loops(no_boundary, no_progress).points_of_failed.empty());
   }
+  ISR_CHECK(closing.has_crossing_lids());
+  closing.close_with_crossing_lids(no_progress, ignore_verdict);
+  ISR_CHECK_EQUAL(s.triangles().size(), valleys.triples.size() + size - 2);
 
   begin_case("a lid that does not");
   const Mesh hill = hills(false);

@@ -89,6 +89,22 @@ public:
     return result;
   }
 
+  // Whether loops stay open because what fills them crosses the surface.
+  bool has_crossing_lids() const { return !m_with_crossing_lids.empty(); }
+
+  // Fills them all the same.
+  template <typename Progress, typename OnVerdict>
+  void close_with_crossing_lids(Progress& progress, OnVerdict on_verdict)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      for (const Boundary_loop& loop : Boundary_loops<Builder>(m_points, m_builder)(cancellation_point))
+        if (has_crossing_lid(loop))
+          m_fill(loop, on_verdict, cancellation_point);
+    } catch (const Cancelled&) {
+    }
+  }
+
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
   // quadrangle on whose diagonal the stars do not agree. A loop around a point without triangles is
   // left alone, and so is one along which no star is in conflict: it is a boundary. Ends early if

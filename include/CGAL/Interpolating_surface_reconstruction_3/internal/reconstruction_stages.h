@@ -34,6 +34,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/sheet_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 
 #include <array>
 #include <cstddef>
@@ -157,6 +158,9 @@ public:
       is_closed = close(is_boundary, m_progress, on_verdict);
       unused = insert(m_progress);
     }
+    // What crosses elsewhere can be replaced if it is closed.
+    if (close.has_crossing_lids() && crosses(builder, first_late))
+      close.close_with_crossing_lids(m_progress, on_verdict);
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
@@ -235,6 +239,19 @@ private:
   {
     return m_options.neighbor_radius > 0. ? m_cloud.local_length(m_options.neighbor_radius)
                                           : std::numeric_limits<double>::infinity();
+  }
+
+  // Whether triangles stored from `first` on cross the surface; false if cancelled.
+  bool crosses(const Builder& builder, typename Builder::Triangle_index first)
+  {
+    const auto is_any = [](const typename Builder::Triangle&) { return true; };
+    Cancellation_point<Progress<Visitor> > cancellation_point(m_progress);
+    try {
+      return !Surface_crossings<Builder>(m_cloud.positions(), builder)(first, is_any, is_any, cancellation_point)
+                .empty();
+    } catch (const Cancelled&) {
+      return false;
+    }
   }
 
   static bool are_most_stars_open(const Builder& builder, const Boundary_loop& loop)
