@@ -47,10 +47,11 @@ by `ctc_reconstruction()`: by facets of Delaunay tetrahedra, and by closing of l
 The triangles form an oriented 2-manifold whose vertices are points of the range, with the guarantees of
 `ctc_reconstruction()`: at most two triangles meet at an edge, at most one fan of triangles at a vertex,
 adjacent triangles traverse their common edge in opposite directions, loops are closed by default as far as
-that does not cross the surface at its ends, and closed components face outward. The triangles and their order depend on the sequence of points and on the
-parameters, not on the number of threads; a permutation of the points only renames them. Points that are
-not finite, or equal to an earlier one, are set aside and counted. Fewer than three distinct points, or
-collinear ones, give no triangle. A reconstruction that is cancelled writes nothing.
+that does not cross the surface at its ends, and closed components face outward. The triangles and their
+order depend on the sequence of points and on the parameters, not on the number of threads; a permutation of
+the points only renames them. Points that are not finite, or equal to an earlier one, are set aside and
+counted. Fewer than three distinct points, or collinear ones, give no triangle. A reconstruction that is
+cancelled writes nothing.
 
 A visitor sees the surface grow: between the begin and the end of `Stage::GROWING`, its function
 `on_triangle()` is called for the triangles in the order in which they are attached.

@@ -23,12 +23,11 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -39,7 +38,7 @@ namespace internal {
 
 // Exchanges diagonals of the quadrangles that two triangles make where the other diagonal is better in every respect:
 // the larger of the two circles through three points becomes smaller, as where stars decide (Star_diagonals), and the
-// surface bends less at the edges of the quadrangle, or as little. Labels and loops decide by bending or by area alone.
+// surface bends less at the edges of the quadrangle, or as little. Labels and loops are chosen by bending alone.
 template <typename Builder>
 class Diagonal_exchange
 {
@@ -70,7 +69,7 @@ public:
         cancellation_point();
         const Exchange exchange = m_queue.top();
         m_queue.pop();
-        if (evaluate(exchange.p, exchange.q) == exchange)
+        if (evaluate(exchange.p, exchange.q) == exchange) // as it was when it was pushed
           try_exchange(exchange);
       }
     } catch (const Cancelled&) {
@@ -83,7 +82,6 @@ private:
   {
     double gain;
     Point_index p, q, r, s;
-    bool is_better;
 
     auto rank() const { return std::make_tuple(-gain, p, q, r, s); }
     bool operator<(const Exchange& other) const { return other.rank() < rank(); }
@@ -91,7 +89,6 @@ private:
   };
 
   using Neighbors = std::array<Point_index, 2>;
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
 
   // At the edges, on the average: nearly equal circles of rounded points could lead round and round.
   static constexpr std::size_t MAXIMUM_LOOKS = 16;
@@ -101,25 +98,23 @@ private:
 
   void push(Point_index p, Point_index q)
   {
-    const Exchange exchange = evaluate((std::min)(p, q), (std::max)(p, q));
-    if (exchange.is_better)
-      m_queue.push(exchange);
+    if (const std::optional<Exchange> exchange = evaluate((std::min)(p, q), (std::max)(p, q)))
+      m_queue.push(*exchange);
   }
 
-  // The exchange of the edge pq of the surface; without gain if it had better stay.
-  Exchange evaluate(Point_index p, Point_index q) const
+  // The exchange of the edge pq of the surface; none if it had better stay.
+  std::optional<Exchange> evaluate(Point_index p, Point_index q) const
   {
     const Neighbors opposite = opposite_vertices(p, q);
     const Point_index r = (std::min)(opposite[0], opposite[1]), s = (std::max)(opposite[0], opposite[1]);
-    Exchange result{ 0., p, q, r, s, false };
     if (s == NO_POINT || r == s)
-      return result;
+      return std::nullopt;
     const Local_point &a = m_points[p], &b = m_points[q], &c = m_points[r], &d = m_points[s];
-    result.is_better = is_first_diagonal_better(c, a, d, b) && !is_edge(r, s) && !bends_more(p, q, r, s);
-    if (result.is_better)
-      result.gain = 1. - (std::max)(squared_circumdiameter(c, d, a), squared_circumdiameter(c, d, b)) /
-                           (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, b, d));
-    return result;
+    if (!is_first_diagonal_better(c, a, d, b) || is_edge(r, s) || bends_more(p, q, r, s))
+      return std::nullopt;
+    return Exchange{ 1. - (std::max)(squared_circumdiameter(c, d, a), squared_circumdiameter(c, d, b)) /
+                            (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, b, d)),
+                     p, q, r, s };
   }
 
   // Third vertices of the first two triangles at the edge, NO_POINT in place of those that are missing.
@@ -164,7 +159,7 @@ private:
 
   void try_exchange(const Exchange& exchange)
   {
-    const auto [gain, p, q, r, s, is_better] = exchange;
+    const auto [gain, p, q, r, s] = exchange;
     if (crosses_surface(exchange))
       return;
     for (Point_index v : { p, q, r, s })
@@ -189,7 +184,7 @@ private:
   // Whether a new triangle crosses others with vertices near the quadrangle, or is degenerate.
   bool crosses_surface(const Exchange& exchange) const
   {
-    const auto [gain, p, q, r, s, is_better] = exchange;
+    const auto [gain, p, q, r, s] = exchange;
     if (is_collinear(Triangle{ { r, s, p } }) || is_collinear(Triangle{ { s, r, q } }))
       return true;
     Local_box box;
@@ -210,20 +205,18 @@ private:
 
   bool crosses(const Exchange& exchange, const Triangle& t) const
   {
-    const auto [gain, p, q, r, s, is_better] = exchange;
+    const auto [gain, p, q, r, s] = exchange;
     const auto has = [&](Point_index v) { return std::find(t.begin(), t.end(), v) != t.end(); };
-    const auto point_of = [&](Point_index v) { return point(v); };
+    const auto point = [&](Point_index v) { return exact_point(m_points[v]); };
     return !(has(p) && has(q)) && !is_collinear(t) &&
-           (do_triangles_cross(Triangle{ { r, s, p } }, t, point_of) ||
-            do_triangles_cross(Triangle{ { s, r, q } }, t, point_of));
+           (do_triangles_cross(Triangle{ { r, s, p } }, t, point) ||
+            do_triangles_cross(Triangle{ { s, r, q } }, t, point));
   }
 
   // As only predicates that are not exact take for a triangle, or with rounded positions.
-  bool is_collinear(const Triangle& t) const { return collinear(point(t[0]), point(t[1]), point(t[2])); }
-
-  Kernel::Point_3 point(Point_index p) const
+  bool is_collinear(const Triangle& t) const
   {
-    return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
+    return collinear(exact_point(m_points[t[0]]), exact_point(m_points[t[1]]), exact_point(m_points[t[2]]));
   }
 
   const std::vector<Local_point>& m_points;

@@ -20,7 +20,6 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -86,7 +85,6 @@ public:
   }
 
 private:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangle = typename Builder::Triangle;
   using Box = Box_intersection_d::Box_with_info_d<double, 3, Triangle>;
 
@@ -146,7 +144,7 @@ private:
       if (m_pairs_left-- == 0)
         throw Too_many_pairs();
       if (!is_same(a.info(), b.info()) &&
-          do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return point(p); }))
+          do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return exact_point(m_points[p]); }))
         visit(a.info(), b.info());
     });
     block.clear();
@@ -159,15 +157,10 @@ private:
     return s == t;
   }
 
-  Kernel::Point_3 point(Point_index p) const
-  {
-    return Kernel::Point_3(m_points[p].x(), m_points[p].y(), m_points[p].z());
-  }
-
   // But those of triangles that only predicates that are not exact take for such.
   void add_box(const Triangle& t, std::vector<Box>& boxes) const
   {
-    if (collinear(point(t[0]), point(t[1]), point(t[2])))
+    if (collinear(exact_point(m_points[t[0]]), exact_point(m_points[t[1]]), exact_point(m_points[t[2]])))
       return;
     boxes.emplace_back(bbox(t), t);
   }

@@ -14,6 +14,9 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
 #include <CGAL/intersections.h>
@@ -25,6 +28,12 @@
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
+
+// A position in a kernel with exact predicates.
+inline Exact_predicates_inexact_constructions_kernel::Point_3 exact_point(const Local_point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
 
 // Whether two triangles of a mesh, none of them degenerate, meet in more than their common vertices and
 // edges. `point(v)` is the position of a vertex in a kernel with exact predicates.
