@@ -184,6 +184,9 @@ private:
 
   static constexpr std::uint32_t ALL_BYTES = 0x01010101;
 
+  // Of three vertices, around and around.
+  static constexpr std::uint8_t NEXT[4] = { 1, 2, 0, 1 };
+
   static constexpr std::uint32_t byte(std::size_t i) { return std::uint32_t(1) << 8 * i; }
 
   void flip(Cell_index c)
@@ -256,17 +259,15 @@ private:
   static int number(int defects) { return defects == LOST_CORNER ? 1 : defects; }
 
   // With the label of cell `changed` the other way round.
-  bool is_lost_corner(std::size_t v, Cell_index changed) const
+  bool is_lost_corner(std::size_t v, Cell_index changed)
   {
     if (m_is_corner.empty() || m_is_corner[v] == 0 || m_stars.is_hub(v))
       return false;
     const auto label = [&](Cell_index c) { return m_labelling.label(c) != (c == changed); };
     const Point_index p = m_cells.points()[v];
     Corner_test test(m_points[p]);
-    m_stars.for_each_cell(v, [&](Cell_index c) {
-      if (!test.is_flat() || !label(c))
-        return;
-      for (std::size_t i = 0; i != 4; ++i)
+    m_stars.for_each_cell_at_surface(v, changed, [&](Cell_index c) {
+      for (std::size_t i = 0; i != 4 && test.is_flat(); ++i)
         if (m_cells[c].vertices[i] != p && !label(m_cells[c].neighbors[i]))
           add_facet(p, c, i, test);
     });
@@ -276,10 +277,14 @@ private:
   // Facet i of a finite cell, of which p is a vertex.
   void add_facet(Point_index p, Cell_index c, std::size_t i, Corner_test& test) const
   {
-    std::array<Point_index, 3> f = Cell_complex::facet(m_cells[c], i);
-    while (f[0] != p)
-      std::rotate(f.begin(), f.begin() + 1, f.end());
-    test.add_facet(m_points[f[i % 2 == 0 ? 1 : 2]], m_points[f[i % 2 == 0 ? 2 : 1]]);
+    const std::array<Point_index, 3> f = Cell_complex::facet(m_cells[c], i);
+    const std::size_t k = f[0] == p ? 0 : f[1] == p ? 1 : 2;
+    const Local_point& a = m_points[f[NEXT[k]]];
+    const Local_point& b = m_points[f[NEXT[k + 1]]];
+    if (i % 2 == 0)
+      test.add_facet(a, b);
+    else
+      test.add_facet(b, a);
   }
 
   // Returns those before.

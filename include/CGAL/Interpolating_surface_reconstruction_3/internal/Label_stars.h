@@ -88,8 +88,7 @@ public:
     if (star_size(v) > BITS)
       return find_components(v, changed);
     const std::size_t neighbor_begin = find_neighbors(v);
-    const std::uint64_t labels =
-      changed == Cell_complex::NO_CELL ? m_labels[v] : m_labels[v] ^ bit(place_of(changed, m_cells.points()[v]));
+    const std::uint64_t labels = labels_at(v, changed);
     const std::array<unsigned char, 3>* const neighbors = m_neighbors.data() + neighbor_begin;
     std::uint64_t left = ~std::uint64_t(0) >> (BITS - star_size(v));
     std::size_t components = 0;
@@ -172,6 +171,28 @@ public:
       visit(m_star_cells[k]);
   }
 
+  // Calls visit(cell) for the cells with the label at vertex v, which is no hub, that have a neighbor without it there, and
+  // perhaps for others; all by their order, and with the label of cell `changed` the other way round.
+  template <typename Visit>
+  void for_each_cell_at_surface(std::size_t v, Cell_index changed, const Visit& visit)
+  {
+    if (star_size(v) > BITS) {
+      for_each_cell(v, [&](Cell_index c) {
+        if (m_labelling.label(c) != (c == changed))
+          visit(c);
+      });
+      return;
+    }
+    const std::array<unsigned char, 3>* const neighbors = m_neighbors.data() + find_neighbors(v);
+    const std::uint64_t labels = labels_at(v, changed);
+    for (std::uint64_t left = labels; left != 0; left &= left - 1) {
+      const std::size_t k = boost::multiprecision::lsb(left);
+      const std::array<unsigned char, 3>& n = neighbors[k];
+      if ((labels >> n[0] & labels >> n[1] & labels >> n[2] & 1) == 0)
+        visit(m_star_cells[m_begins[v] + k]);
+    }
+  }
+
 private:
   static constexpr std::uint32_t NO_STAR = static_cast<std::uint32_t>(-1);
   static constexpr unsigned char VISITED = 2;
@@ -189,6 +210,12 @@ private:
   {
     const auto& vertices = m_cells[c].vertices;
     return m_places[c][vertices[0] == p ? 0 : vertices[1] == p ? 1 : vertices[2] == p ? 2 : 3];
+  }
+
+  // Of a star of not more cells than the bits, with the label of cell `changed` the other way round.
+  std::uint64_t labels_at(std::size_t v, Cell_index changed) const
+  {
+    return changed == Cell_complex::NO_CELL ? m_labels[v] : m_labels[v] ^ bit(place_of(changed, m_cells.points()[v]));
   }
 
   // The position in m_neighbors of those of the star of vertex v, which is no hub.
