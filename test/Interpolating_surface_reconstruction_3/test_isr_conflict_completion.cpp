@@ -397,9 +397,11 @@ std::size_t complete(Hand_surface& s)
   isr_internal::Progress<decltype(visitor)> progress(std::function<bool(double)>(), visitor);
   progress.begin_stage(CGAL::Interpolating_surface_reconstruction_3::Stage::COMPLETION, 1.);
   std::size_t added = 0;
+  isr_internal::Kept_triangulation triangulation(s.cloud.positions());
   Conflict_completion<ConcurrencyTag, Builder>(s.cloud.positions(), octree, INFINITE, s.builder)(
     progress,
-    [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; });
+    [&](const Builder::Triangle&, Triangle_verdict verdict) { added += verdict == Triangle_verdict::ADDED ? 1u : 0u; },
+    triangulation);
   return added;
 }
 

@@ -23,6 +23,7 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -74,6 +75,31 @@ public:
     }
   }
 
+  // `sites` are increasing; others are left alone.
+  template <typename Cancellation_point>
+  void remove(const std::vector<Point_index>& sites, Cancellation_point& cancellation_point)
+  {
+    std::vector<Delaunay::Vertex_handle> vertices;
+    for (const Delaunay::Vertex_handle vertex : m_delaunay.finite_vertex_handles())
+      if (std::binary_search(sites.begin(), sites.end(), vertex->info()))
+        vertices.push_back(vertex);
+    for (const Delaunay::Vertex_handle vertex : vertices) {
+      cancellation_point(MICROSECONDS_PER_REMOVAL);
+      m_delaunay.remove(vertex);
+    }
+  }
+
+  // Increasing.
+  std::vector<Point_index> sites() const
+  {
+    std::vector<Point_index> result;
+    result.reserve(m_delaunay.number_of_vertices());
+    for (const Delaunay::Vertex_handle vertex : m_delaunay.finite_vertex_handles())
+      result.push_back(vertex->info());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   const Delaunay& delaunay() const { return m_delaunay; }
 
   // Calls visit(facet) once for each facet with its points, NO_POINT if infinite.
@@ -98,7 +124,7 @@ private:
   static constexpr std::size_t STRIDE_RATIO = 4;
 
   // A few, but hundreds where many points are cospherical.
-  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 64;
+  static constexpr std::size_t MICROSECONDS_PER_INSERTION = 64, MICROSECONDS_PER_REMOVAL = 256;
 
   // Not less than the 128 facets of what CGAL takes for a small hole.
   static constexpr std::size_t CELLS_OF_SMALL_HOLE = 256;

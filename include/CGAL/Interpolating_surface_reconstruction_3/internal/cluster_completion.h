@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -85,7 +86,8 @@ public:
       add_to_cluster(p, cancellation_point);
     Completed_cluster result;
     Search_effort effort{ maximum_effort, 0 };
-    Site_triangulation triangulation(m_points);
+    m_triangulation = std::make_unique<Site_triangulation>(m_points);
+    Site_triangulation& triangulation = *m_triangulation;
     triangulate_with_surface(triangulation, cancellation_point);
     Cell_complex cells(triangulation, m_sites, cancellation_point);
     // Once: stars that contradict the second surface would go on to spread.
@@ -103,6 +105,9 @@ public:
     result.effort = maximum_effort - effort.all;
     return result;
   }
+
+  // That of the sites of the cluster that was completed last; once.
+  std::unique_ptr<Site_triangulation> release_triangulation() { return std::move(m_triangulation); }
 
 private:
   using Triangle = Completed_cluster::Triangle;
@@ -300,6 +305,7 @@ private:
   std::vector<unsigned char> m_is_site; // of each point
   Local_surface<Builder> m_surface;
   Facet_knowledge<Builder> m_knowledge;
+  std::unique_ptr<Site_triangulation> m_triangulation;
   std::vector<Point_index> m_cluster; // conflicts of the current cluster
   std::vector<Point_index> m_sites;   // of the current cluster
   std::vector<Point_index> m_around;

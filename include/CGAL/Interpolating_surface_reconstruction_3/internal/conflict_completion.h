@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/cluster_completion.h>
@@ -44,9 +45,9 @@ public:
       m_clusters(points, octree, maximum_radius, builder)
   { }
 
-  // Ends early if cancelled.
+  // Ends early if cancelled. The triangulation of the cluster with the most conflicts is left for what comes next.
   template <typename Progress, typename OnVerdict>
-  void operator()(Progress& progress, OnVerdict on_verdict)
+  void operator()(Progress& progress, OnVerdict on_verdict, Kept_triangulation& triangulation)
   {
     if (m_clusters.conflicts().empty())
       return;
@@ -54,7 +55,7 @@ public:
     for (Point_index p : m_clusters.conflicts())
       m_is_conflict[p] = 1;
     try {
-      complete(m_clusters.find(progress), progress, on_verdict);
+      complete(m_clusters.find(progress), progress, on_verdict, triangulation);
     } catch (const Cancelled&) {
     }
   }
@@ -70,13 +71,15 @@ private:
   static constexpr std::size_t SEARCH_EFFORT = 125000, SEARCH_EFFORT_PER_POINT = 1;
 
   template <typename Progress, typename OnVerdict>
-  void complete(const Clusters& clusters, Progress& progress, const OnVerdict& on_verdict)
+  void complete(const Clusters& clusters, Progress& progress, const OnVerdict& on_verdict,
+                Kept_triangulation& triangulation)
   {
     using Worker = Cluster_completion<Builder>;
     Thread_locals<ConcurrencyTag, Worker> workers(
       [&] { return std::make_unique<Worker>(m_points, m_octree, m_maximum_radius, m_builder, m_is_conflict); });
     std::size_t effort = SEARCH_EFFORT + SEARCH_EFFORT_PER_POINT * m_points.size(),
                 conflicts_left = m_clusters.conflicts().size();
+    const std::size_t largest = clusters.empty() ? 0 : largest_first(clusters, 0, clusters.size()).front();
     std::atomic<std::size_t> done{ 0 };
     for (std::size_t begin = 0, end = 0; begin != clusters.size(); begin = end) {
       end = end_of_batch(clusters, begin);
@@ -89,8 +92,10 @@ private:
         // A single cluster may hold all points.
         Cancellation_point<Progress> cancellation_point(progress);
         const double share = double(cluster.size()) / double(conflicts_left);
-        completed[k - begin] =
-          workers.local()(cluster, static_cast<std::size_t>(share * double(effort)), cancellation_point);
+        Worker& worker = workers.local();
+        completed[k - begin] = worker(cluster, static_cast<std::size_t>(share * double(effort)), cancellation_point);
+        if (k == largest)
+          triangulation.adopt(worker.release_triangulation());
         if (!progress.advance(double(done += cluster.size()) / double(m_clusters.conflicts().size())))
           throw Cancelled();
       });

@@ -74,7 +74,7 @@ public:
                         const StarConstruction& construction, const Reconstruction_options& options,
                         Progress<Visitor>& progress)
     : m_cloud(cloud), m_normals(normals), m_construction(construction), m_options(options), m_progress(progress),
-      m_predicates(cloud)
+      m_predicates(cloud), m_triangulation(cloud.positions())
   { }
 
   const Predicates& predicates() const { return m_predicates; }
@@ -125,7 +125,7 @@ public:
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
     close.close_planar_loops(m_progress, on_verdict);
     Conflict_completion<ConcurrencyTag, Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
-    complete(m_progress, on_verdict);
+    complete(m_progress, on_verdict, m_triangulation);
     m_progress.end_stage(attached);
   }
 
@@ -164,18 +164,17 @@ public:
     std::vector<Point_index> unclosed;
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
-    // Most of what these look at is the same.
-    Kept_triangulation triangulation(m_cloud.positions());
     const auto close_again = [&] { close(is_boundary, m_progress, on_verdict); };
-    unused = remove_crossings(first_late, std::move(unclosed), builder, triangulation, close_again, insert, unused);
+    unused = remove_crossings(first_late, std::move(unclosed), builder, close_again, insert, unused);
     if (closes_all_loops()) {
-      Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, triangulation);
+      Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, m_triangulation);
       if (recover_corners(m_progress))
         unused = insert(m_progress);
-      Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, triangulation);
+      Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, m_triangulation);
       if (join_components(m_progress))
         unused = insert(m_progress);
     }
+    m_triangulation.clear();
     Diagonal_exchange<Builder> exchange_diagonals(m_cloud.positions(), octree, builder);
     exchange_diagonals(m_progress);
     if (!m_progress.is_cancelled())
@@ -188,11 +187,11 @@ public:
   // out when they are inserted again. Returns the number of unused points, which was `unused`.
   template <typename CloseAgain>
   std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
-                               Builder& builder, Kept_triangulation& triangulation, const CloseAgain& close_again,
-                               Point_insertion<Builder>& insert, std::size_t unused)
+                               Builder& builder, const CloseAgain& close_again, Point_insertion<Builder>& insert,
+                               std::size_t unused)
   {
     constexpr int MAXIMUM_PASSES = 2;
-    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder, triangulation);
+    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder, m_triangulation);
     for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
       if (!remove(first, unclosed, m_progress))
@@ -273,6 +272,7 @@ private:
   const Reconstruction_options m_options;
   Progress<Visitor>& m_progress;
   const Predicates m_predicates;
+  Kept_triangulation m_triangulation; // most of what the later stages look at is the same
 };
 
 } // namespace internal
