@@ -192,10 +192,14 @@ private:
       for (std::size_t a = 0; a != 3; ++a)
         reach = (std::min)({ reach, p[int(a)] - box.low[a], box.high[a] - p[int(a)] });
     compute_squared_distances(p, leaf);
+    m_sorted = 0;
+    m_has_all_in_reach = false;
     while (true) {
       std::size_t found = select(request, reach * reach);
-      if (is_too_close(found, p, leaf, reach * reach))
+      if (is_too_close(found, p, leaf, reach * reach)) {
         found = select_in_double_precision(request, reach * reach);
+        m_has_all_in_reach = false;
+      }
       if (found < request.size && !is_exhaustive)
         return false;
       const std::size_t used = (std::min)(found, request.size);
@@ -226,21 +230,38 @@ private:
   // Returns how many there are within the radius, or request.size.
   std::size_t select(const Request& request, double squared_reach)
   {
-    std::size_t found = collect((std::min)(m_guess_per_neighbor * double(request.size), squared_reach), request.point);
-    if (found < request.size)
-      found = collect(squared_reach, request.point);
-    if (found <= MAXIMUM_RANKED) {
-      sort_by_rank(found);
+    if (!m_has_all_in_reach)
+      collect(request, squared_reach);
+    if (m_found <= MAXIMUM_RANKED) {
+      if (m_sorted < m_found)
+        sort_by_rank(m_found);
+      m_sorted = m_found;
     } else {
-      const std::ptrdiff_t kept = std::ptrdiff_t((std::min)(found, request.size));
-      std::nth_element(m_nearest.begin(), m_nearest.begin() + kept, m_nearest.begin() + std::ptrdiff_t(found));
-      std::sort(m_nearest.begin(), m_nearest.begin() + kept);
+      const std::size_t kept = (std::min)(m_found, request.size);
+      const auto first = m_nearest.begin() + std::ptrdiff_t(m_sorted), last = m_nearest.begin() + std::ptrdiff_t(kept);
+      std::nth_element(first, last, m_nearest.begin() + std::ptrdiff_t(m_found));
+      std::sort(first, last);
+      m_sorted = kept;
     }
-    if (found < request.size)
-      return found;
+    if (m_found < request.size)
+      return m_found;
     // the next point is close to this one
     m_guess_per_neighbor = GUESS_MARGIN * double(squared_distance(m_nearest[request.size - 1])) / double(request.size);
     return request.size;
+  }
+
+  // Those within a guess of the radius, if they are enough. A point that asks again will mostly ask once more: then all
+  // within reach are collected, and what has been sorted of them stays.
+  void collect(const Request& request, double squared_reach)
+  {
+    const double guess = m_guess_per_neighbor * double(request.size);
+    m_has_all_in_reach = m_sorted != 0 || !(guess < squared_reach);
+    m_sorted = 0;
+    m_found = collect(m_has_all_in_reach ? squared_reach : guess, request.point);
+    if (m_found < request.size && !m_has_all_in_reach) {
+      m_found = collect(squared_reach, request.point);
+      m_has_all_in_reach = true;
+    }
   }
 
   // That of a key.
@@ -350,6 +371,9 @@ private:
   std::vector<Point_index> m_candidates;
   std::vector<float> m_x, m_y, m_z, m_squared_distances;
   std::vector<std::uint64_t> m_nearest;
+  // Of the present point: how many of m_nearest are sorted, how many there are, and whether they are all within reach.
+  std::size_t m_sorted = 0, m_found = 0;
+  bool m_has_all_in_reach = false;
   std::vector<std::pair<double, Point_index> > m_exact;
   std::vector<Point_index> m_indices;
   std::vector<Local_vector> m_offsets;
