@@ -37,8 +37,9 @@ public:
 
   /// constructs the neighborhood of `size` neighbors at `offsets`; no other point of the cloud is
   /// closer to the center than the square root of `squared_radius`.
-  Star_neighborhood(const Vector_3* offsets, std::size_t size, double squared_radius)
-    : m_offsets(offsets), m_size(size), m_squared_radius(squared_radius)
+  /// If `may_grow`, more neighbors follow as long as the star is not certain.
+  Star_neighborhood(const Vector_3* offsets, std::size_t size, double squared_radius, bool may_grow = false)
+    : m_offsets(offsets), m_size(size), m_squared_radius(squared_radius), m_may_grow(may_grow)
   { }
 
   /// returns the number of neighbors.
@@ -48,11 +49,14 @@ public:
   /// returns the squared radius within which all points of the cloud are listed; infinite if the
   /// cloud has no other points.
   double squared_radius() const { return m_squared_radius; }
+  /// returns whether the star is asked for again, with more neighbors, if it is not certain: then it need not be told.
+  bool may_grow() const { return m_may_grow; }
 
 private:
   const Vector_3* m_offsets;
   std::size_t m_size;
   double m_squared_radius;
+  bool m_may_grow;
 };
 
 /*!

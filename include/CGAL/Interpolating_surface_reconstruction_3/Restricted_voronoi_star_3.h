@@ -148,8 +148,10 @@ private:
     for (std::size_t i = 0; i != projection.size() && projection.half_square(i) < 2. * squared_radius; ++i)
       if (polygon.clip(projection.x(i), projection.y(i), projection.half_square(i), static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
-    internal::Star_diagonals<MAXIMUM_NEIGHBORS>(neighborhood, projection, polygon, squared_radius).settle(star.link);
-    return neighborhood.squared_radius() >= WITH_ROUNDING * 4. * squared_radius;
+    const bool is_certain = neighborhood.squared_radius() >= WITH_ROUNDING * 4. * squared_radius;
+    if (is_certain || !neighborhood.may_grow())
+      internal::Star_diagonals<MAXIMUM_NEIGHBORS>(neighborhood, projection, polygon, squared_radius).settle(star.link);
+    return is_certain;
   }
 };
 

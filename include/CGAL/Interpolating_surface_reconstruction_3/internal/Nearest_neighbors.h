@@ -174,8 +174,8 @@ private:
         m_nearest[i] = nearest[i].second;
       const double squared_radius =
         copy_offsets(m_points[request.point], found, found < request.size ? squared_reach : 0.);
-      if (visit(request.point, Star_neighborhood(m_offsets.data(), found, squared_radius)) ||
-          request.size >= maximum_size || found < request.size)
+      const bool may_grow = request.size < maximum_size && found == request.size;
+      if (visit(request.point, Star_neighborhood(m_offsets.data(), found, squared_radius, may_grow)) || !may_grow)
         return;
       request.size = (std::min)(2 * request.size, maximum_size);
     }
@@ -204,8 +204,8 @@ private:
         return false;
       const std::size_t used = (std::min)(found, request.size);
       const double squared_radius = copy_offsets(p, used, found < request.size ? reach * reach : 0.);
-      if (visit(request.point, Star_neighborhood(m_offsets.data(), used, squared_radius)) ||
-          request.size >= maximum_size || used < request.size)
+      const bool may_grow = request.size < maximum_size && used == request.size;
+      if (visit(request.point, Star_neighborhood(m_offsets.data(), used, squared_radius, may_grow)) || !may_grow)
         return true;
       request.size = (std::min)(2 * request.size, maximum_size);
     }
