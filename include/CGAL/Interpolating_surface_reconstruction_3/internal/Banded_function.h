@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// A linear implicit function in the band around the surface of lis_reconstruction() through its samples, and the
-// signed distance from that surface elsewhere. Without a closed surface, as for samples in a plane, the function.
+// A linear implicit function at the surface of lis_reconstruction() through its samples, and the signed distance from
+// that surface outside of the band around it. Without a closed surface, as for samples in a plane, the function.
 template <typename ConcurrencyTag, typename Function>
 class Banded_function
 {
@@ -51,15 +51,24 @@ public:
     // Beside points at the upper end of the range of `double` are places that overflow.
     if (!m_band.is_empty() && std::isfinite((p - Local_point(0, 0, 0)).squared_length())) {
       const Surface_band::Place place = m_band(p);
+      const double distance = m_function.cloud().global_length(place.signed_distance);
       if (std::abs(place.signed_distance) >= place.width)
-        return m_function.cloud().global_length(place.signed_distance);
+        return distance;
+      // By the square, halfway across the band, where a round surface is, the function decides nearly alone.
+      const double part = place.signed_distance / place.width, share = part * part;
+      return share * distance + (1. - share) * function_at(x);
     }
-    return CGAL::to_double(m_function(point_at(x, m_function.geom_traits())));
+    return function_at(x);
   }
 
   double largest_width() const { return m_function.cloud().global_length(m_band.largest_width()); }
 
 private:
+  double function_at(const std::array<double, 3>& x) const
+  {
+    return CGAL::to_double(m_function(point_at(x, m_function.geom_traits())));
+  }
+
   static std::vector<Surface_band::Triangle> triangles(const Function& function)
   {
     using Traits = std::decay_t<decltype(function.geom_traits())>;
