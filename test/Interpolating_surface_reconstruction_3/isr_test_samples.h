@@ -126,6 +126,37 @@ inline Sample torus(std::size_t rings, std::size_t ring_size, double jitter, std
   return s;
 }
 
+// Rows around the tube of the torus, each turned at random: their points are much closer than the rows.
+inline Sample torus_in_rows(std::size_t rows, std::size_t row_size, std::uint64_t seed)
+{
+  Sample s{ "torus in " + std::to_string(rows) + " rows of " + std::to_string(row_size), {}, 0, 1, 0 };
+  Random random(seed);
+  for (std::size_t i = 0; i != rows; ++i) {
+    const double first = random.uniform(0., 2. * PI);
+    for (std::size_t j = 0; j != row_size; ++j) {
+      const double v = first + 2. * PI * double(j) / double(row_size);
+      s.points.push_back(on_circle(2. * PI * double(i) / double(rows), 1. + .4 * std::cos(v), .4 * std::sin(v)));
+    }
+  }
+  return s;
+}
+
+// Hills as a scanner sees them that turns around a vertical axis at height 2: rows of `row_size` points from distance 4
+// on that are the farther from each other the farther away they are.
+inline Sample hills_in_rows(std::size_t rows, std::size_t row_size, std::uint64_t seed)
+{
+  Sample s{ "hills in " + std::to_string(rows) + " rows of " + std::to_string(row_size), {}, 0, 1, 2 };
+  Random random(seed);
+  for (std::size_t i = 0; i != rows; ++i) {
+    const double distance = 2. / (.5 - .45 * double(i) / double(rows - 1)), first = random.uniform(0., 2. * PI);
+    for (std::size_t j = 0; j != row_size; ++j) {
+      const Point p = on_circle(first + 2. * PI * double(j) / double(row_size), distance, 0.);
+      s.points.emplace_back(p.x(), p.y(), std::sin(.25 * p.x()) * std::cos(.2 * p.y()));
+    }
+  }
+  return s;
+}
+
 // A tube around a trefoil knot.
 inline Sample knot(std::size_t rings, std::size_t ring_size)
 {

@@ -50,14 +50,16 @@ void test_with_boundaries(const Sample& s)
 
 void test_surfaces()
 {
-  const Sample closed[] = { sphere_fibonacci(2000), sphere_random(1500, 1),  sphere_uv(40, 20),    torus(60, 24, 0., 1),
-                            torus(60, 24, .2, 2),   knot(200, 12),           double_torus(.05, 1), box(12, 12, 12),
-                            box(12, 7, 3),          box_jittered(12, .3, 1), two_boxes(8, 4.),     cone(20, 2.) };
+  const Sample closed[] = { sphere_fibonacci(2000),    sphere_random(1500, 1),   sphere_uv(40, 20),
+                            torus(60, 24, 0., 1),      torus(60, 24, .2, 2),     knot(200, 12),
+                            double_torus(.05, 1),      box(12, 12, 12),          box(12, 7, 3),
+                            box_jittered(12, .3, 1),   two_boxes(8, 4.),         cone(20, 2.),
+                            torus_in_rows(32, 128, 1), torus_in_rows(32, 512, 1) };
   for (const Sample& s : closed)
     test_closed(s);
   for (const Sample& s : solids_of_few_points())
     test_closed(s);
-  const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40) };
+  const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40), hills_in_rows(24, 500, 1) };
   for (const Sample& s : open)
     test_with_boundaries(s);
 }

@@ -215,6 +215,33 @@ void test_star_in_plane_of_its_triangles()
     assert(i != GAP && neighbors[i].z() == 0.);
 }
 
+// Rows across a cylinder, a hundred times as far from each other as the points in them: the nearest neighbors are those
+// of one row, which bends in a plane across the surface.
+void test_rows()
+{
+  const int rows = 7, row_size = 800;
+  std::vector<Local_point> points;
+  for (int i = 0; i != rows; ++i)
+    for (int j = 0; j != row_size; ++j) {
+      const double angle = .0025 * (j + .1 * i);
+      points.emplace_back(std::cos(angle), std::sin(angle), .25 * i);
+    }
+  const Indexed_points indexed(points);
+  const Stars stars = construct_stars<Nearest_neighbors>(indexed, Restricted_voronoi_star_3());
+  std::size_t inner = 0;
+  for (std::size_t p = 0; p != indexed.points.size(); ++p) {
+    const Local_point& c = indexed.points[p];
+    if (c.z() < .25 || c.z() > .25 * (rows - 2) || c.x() < .2 || c.x() > .9)
+      continue;
+    ++inner;
+    assert(std::abs(stars.normals[p].z()) < .1 && std::abs(stars.normals[p] * Local_vector(c.x(), c.y(), 0.)) > .95);
+    assert(stars.is_closed(p));
+    for (Point_index q : stars.links[p])
+      assert(std::abs(indexed.points[q].z() - c.z()) < .3);
+  }
+  assert(inner > 500);
+}
+
 // A certain star is the star among all points.
 void test_certainty()
 {
@@ -295,6 +322,7 @@ int main()
   test_cocircular();
   test_sphere();
   test_star_in_plane_of_its_triangles();
+  test_rows();
   test_certainty();
   test_degenerate_neighborhoods();
   test_many_neighbors();

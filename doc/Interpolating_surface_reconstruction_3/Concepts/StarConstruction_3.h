@@ -57,7 +57,10 @@ public:
   replaces `star` by the star of the center of `neighborhood`, and returns whether no point outside
   of the neighborhood could change it. If it returns `false`, it is called again with more neighbors
   as long as there are any and their number does not exceed `maximum_number_of_neighbors()`; the last
-  star counts. A star may be empty or have gaps.
+  star counts. As long as `neighborhood.may_grow()`, a star need not be made for which it returns `false`. It
+  may as well return `true` because more neighbors are not worth looking at. A star may be empty or have gaps.
+  If `neighborhood.keeps_boundaries()`, it is to end at openings of the surface, in place of reaching across
+  them.
   \param neighborhood the neighbors by increasing distance.
   \param star the result; buffers that it holds may be used again.
   */

@@ -38,8 +38,11 @@ public:
   /// constructs the neighborhood of `size` neighbors at `offsets`; no other point of the cloud is
   /// closer to the center than the square root of `squared_radius`.
   /// If `may_grow`, more neighbors follow as long as the star is not certain.
-  Star_neighborhood(const Vector_3* offsets, std::size_t size, double squared_radius, bool may_grow = false)
-    : m_offsets(offsets), m_size(size), m_squared_radius(squared_radius), m_may_grow(may_grow)
+  /// If `keeps_boundaries`, boundaries of the surface are to stay.
+  Star_neighborhood(const Vector_3* offsets, std::size_t size, double squared_radius, bool may_grow = false,
+                    bool keeps_boundaries = false)
+    : m_offsets(offsets), m_size(size), m_squared_radius(squared_radius), m_may_grow(may_grow),
+      m_keeps_boundaries(keeps_boundaries)
   { }
 
   /// returns the number of neighbors.
@@ -51,12 +54,14 @@ public:
   double squared_radius() const { return m_squared_radius; }
   /// returns whether the star is asked for again, with more neighbors, if it is not certain: then it need not be told.
   bool may_grow() const { return m_may_grow; }
+  /// returns whether boundaries of the surface are to stay: a star that looks far closes an opening.
+  bool keeps_boundaries() const { return m_keeps_boundaries; }
 
 private:
   const Vector_3* m_offsets;
   std::size_t m_size;
   double m_squared_radius;
-  bool m_may_grow;
+  bool m_may_grow, m_keeps_boundaries;
 };
 
 /*!

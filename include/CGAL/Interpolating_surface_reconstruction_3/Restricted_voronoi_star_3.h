@@ -64,12 +64,16 @@ public:
   static constexpr std::size_t maximum_number_of_neighbors() { return MAXIMUM_NEIGHBORS; }
 
   /// computes the star of the center of `neighborhood`; returns whether no point outside of the
-  /// neighborhood can change it.
+  /// neighborhood can change it, or no more neighbors are worth looking at.
   bool operator()(const Star_neighborhood& neighborhood, Point_star& star) const
   {
-    star.normal = covariance_normal(neighborhood);
-    const bool is_certain = clip(neighborhood, star);
-    return is_certain && tilt(neighborhood, star) ? clip(neighborhood, star) : is_certain;
+    const std::size_t size_of_plane = set_normal_of_plane(neighborhood, star.normal);
+    const std::size_t growth = neighborhood.keeps_boundaries() ? GROWTH_THIS_SIDE_OF_OPENINGS : MAXIMUM_GROWTH;
+    const bool is_last = !neighborhood.may_grow() || neighborhood.size() >= growth * size_of_plane;
+    bool is_certain = clip(neighborhood, is_last, star);
+    if (is_certain && tilt(neighborhood, star))
+      is_certain = clip(neighborhood, is_last, star);
+    return is_certain || is_last;
   }
 
 private:
@@ -78,9 +82,16 @@ private:
   // Two rings of a regular sample hold 18 points: fewer seldom make a star certain, and their normal
   // changes little with more.
   static constexpr std::size_t INITIAL_NEIGHBORS = 16;
-  // Four times doubled. A star that is not certain by then has a gap, or triangles that are far longer
-  // than its shortest ones.
-  static constexpr std::size_t MAXIMUM_NEIGHBORS = 256;
+
+  // Of the neighbors that span a plane: four times doubled. A star that is not certain by then has a gap, or triangles
+  // that are far longer than its shortest ones. One that sees as far as that closes openings.
+  static constexpr std::size_t MAXIMUM_GROWTH = 16, GROWTH_THIS_SIDE_OF_OPENINGS = 4;
+
+  // Enough for rows that are a hundred times as far from each other as the points in them.
+  static constexpr std::size_t MAXIMUM_NEIGHBORS = 1024;
+
+  // Neighbors along a line have less than this part of their variance across it: an eighth of the extent.
+  static constexpr double LEAST_VARIANCE_ACROSS = 1. / 64.;
 
   // Eight degrees, for speed alone: smaller tilts change one star in a thousand, and to make every star twice
   // takes a fifth more time.
@@ -89,9 +100,26 @@ private:
   // A point on the circle around the farthest vertex does change the star, as one of many cocircular ones.
   static constexpr double WITH_ROUNDING = 1. + 1e-9;
 
-  static Vector_3 covariance_normal(const Star_neighborhood& neighborhood)
+  // The plane of the nearest neighbors, of twice as many as long as they lie along a line, as in one row of a scan: its
+  // plane would be that in which it bends. Returns how many span the plane; more than there are if all lie along a
+  // line, with the plane of the first ones.
+  static std::size_t set_normal_of_plane(const Star_neighborhood& neighborhood, Vector_3& normal)
   {
-    const std::size_t n = (std::min)(neighborhood.size(), INITIAL_NEIGHBORS);
+    std::size_t n = INITIAL_NEIGHBORS;
+    while (!is_plane(neighborhood, n, normal)) {
+      if (n >= neighborhood.size()) {
+        is_plane(neighborhood, INITIAL_NEIGHBORS, normal);
+        return neighborhood.size() + 1;
+      }
+      n *= 2;
+    }
+    return n;
+  }
+
+  // Computes the normal of the plane of the `n` nearest neighbors; returns whether they extend in two directions.
+  static bool is_plane(const Star_neighborhood& neighborhood, std::size_t n, Vector_3& normal)
+  {
+    n = (std::min)(neighborhood.size(), n);
     const double farthest = n == 0 ? 0. : neighborhood[n - 1].squared_length();
     const double scale = farthest > 0. ? 1. / std::sqrt(farthest) : 1.; // all may coincide in double
     double x = 0., y = 0., z = 0., xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
@@ -113,8 +141,9 @@ private:
       yz - y * z / size, zz - z * z / size;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(moments);
-    const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    return Vector_3(normal.x(), normal.y(), normal.z());
+    const Eigen::Vector3d direction = solver.eigenvectors().col(0);
+    normal = Vector_3(direction.x(), direction.y(), direction.z());
+    return solver.eigenvalues()(1) >= LEAST_VARIANCE_ACROSS * solver.eigenvalues()(2);
   }
 
   // Turns the normal to that of the star's own triangles; returns whether this can change the star.
@@ -137,7 +166,7 @@ private:
     return true;
   }
 
-  static bool clip(const Star_neighborhood& neighborhood, Point_star& star)
+  static bool clip(const Star_neighborhood& neighborhood, bool is_last, Point_star& star)
   {
     star.link.clear();
     if (neighborhood.size() == 0)
@@ -149,7 +178,7 @@ private:
       if (polygon.clip(projection.x(i), projection.y(i), projection.half_square(i), static_cast<std::uint32_t>(i)))
         squared_radius = polygon.squared_radius();
     const bool is_certain = neighborhood.squared_radius() >= WITH_ROUNDING * 4. * squared_radius;
-    if (is_certain || !neighborhood.may_grow())
+    if (is_certain || is_last)
       internal::Star_diagonals<MAXIMUM_NEIGHBORS>(neighborhood, projection, polygon, squared_radius).settle(star.link);
     return is_certain;
   }

@@ -35,9 +35,10 @@ namespace internal {
 class Box_neighborhoods
 {
 public:
-  // No point farther than `maximum_radius` is a neighbor.
-  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
-    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius)
+  // No point farther than `maximum_radius` is a neighbor; if boundaries are kept, only nearer ones are.
+  Box_neighborhoods(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
+                    bool keeps_boundaries = false)
+    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius), m_keeps_boundaries(keeps_boundaries)
   { }
 
   // Indices of the neighbors that were passed last.
@@ -50,9 +51,10 @@ public:
   {
     gather(leaf);
     for (Point_index p = leaf.begin; p != leaf.end; ++p) {
-      sort_by_distance(p, maximum_size);
+      sort_by_distance(p,
+                       m_keeps_boundaries ? (std::min)(maximum_size, NEIGHBORS_THIS_SIDE_OF_OPENINGS) : maximum_size);
       // The boxes do not promise a radius within which all points are listed.
-      visit(p, Star_neighborhood(m_offsets.data(), m_offsets.size(), 0.));
+      visit(p, Star_neighborhood(m_offsets.data(), m_offsets.size(), 0., false, m_keeps_boundaries));
     }
   }
 
@@ -67,6 +69,9 @@ private:
              (squared_distance == other.squared_distance && index < other.index);
     }
   };
+
+  // A star that sees more closes an opening that shall stay.
+  static constexpr std::size_t NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
 
   // Two cells with a common corner touch although their coordinates are rounded.
   static constexpr double ROUNDING = 1e-9;
@@ -150,6 +155,7 @@ private:
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   double m_maximum_radius;
+  bool m_keeps_boundaries;
   std::vector<std::uint32_t> m_stack;
   std::vector<Point_index> m_candidates;
   std::vector<Neighbor> m_neighbors;

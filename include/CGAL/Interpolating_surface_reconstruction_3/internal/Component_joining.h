@@ -77,7 +77,7 @@ public:
       m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
       m_is_free = mark_rings(m_builder, contacts.near(), FREE_RINGS, cancellation_point);
       for (const std::vector<Point_index>& group : contacts.groups())
-        if (group.size() <= MAXIMUM_POINTS)
+        if (group.size() <= Kept_triangulation::MAXIMUM_POINTS)
           is_changed = join(group, progress, cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
@@ -87,9 +87,6 @@ public:
 private:
   using Triangles = std::vector<Triangle>;
   using Cell_index = Cell_complex::Cell_index;
-
-  // Of components near to each other: this takes some seconds at most.
-  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
 
   // The most points beside triangles that are no facets, in parts of all: the labels would give another surface.
   static constexpr std::size_t PART_IN_DOUBT = 32;

@@ -64,7 +64,7 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     try {
       const std::vector<Point_index> used = used_points();
-      if (used.size() > MAXIMUM_POINTS)
+      if (used.size() > Kept_triangulation::MAXIMUM_POINTS)
         return false;
       m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
       Lost_corners lost(m_points, m_triangles);
@@ -81,9 +81,6 @@ public:
 private:
   using Triangles = std::vector<Triangle>;
   using Cell_index = Cell_complex::Cell_index;
-
-  // This takes some seconds at most.
-  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
 
   // The fewest lost corners, in parts of all points: a few are not worth a triangulation.
   static constexpr std::size_t PART_OF_LOST = 64;

@@ -35,12 +35,15 @@ namespace internal {
 class Kept_triangulation
 {
 public:
+  // Of the sets that are worth asking for: to make a surface of that many points anew takes some seconds.
+  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
+
   explicit Kept_triangulation(const std::vector<Local_point>& positions) : m_positions(positions) { }
 
   // Keeps a triangulation that has been made for something else, unless it is too large to be asked for.
   void adopt(std::unique_ptr<Site_triangulation> triangulation)
   {
-    if (!triangulation->is_usable() || triangulation->delaunay().number_of_vertices() > MAXIMUM_ADOPTED)
+    if (!triangulation->is_usable() || triangulation->delaunay().number_of_vertices() > MAXIMUM_POINTS)
       return;
     m_cells.reset();
     m_sites = triangulation->sites();
@@ -88,9 +91,6 @@ public:
   }
 
 private:
-  // No stage asks for more points.
-  static constexpr std::size_t MAXIMUM_ADOPTED = 1 << 15;
-
   // To remove a point takes several times what it takes to insert one.
   static constexpr std::size_t PART_REMOVED = 16;
 

@@ -39,9 +39,11 @@ namespace internal {
 class Nearest_neighbors
 {
 public:
-  // No point farther than `maximum_radius` is a neighbor.
-  Nearest_neighbors(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius)
-    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius), m_search(points, octree)
+  // No point farther than `maximum_radius` is a neighbor. Each neighborhood is told whether boundaries are kept.
+  Nearest_neighbors(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
+                    bool keeps_boundaries = false)
+    : m_points(points), m_octree(octree), m_maximum_radius(maximum_radius), m_keeps_boundaries(keeps_boundaries),
+      m_search(points, octree)
   { }
 
   // Indices of the neighbors that were passed last.
@@ -175,7 +177,7 @@ private:
       const double squared_radius =
         copy_offsets(m_points[request.point], found, found < request.size ? squared_reach : 0.);
       const bool may_grow = request.size < maximum_size && found == request.size;
-      if (visit(request.point, Star_neighborhood(m_offsets.data(), found, squared_radius, may_grow)) || !may_grow)
+      if (visit_neighborhood(request.point, squared_radius, may_grow, visit) || !may_grow)
         return;
       request.size = (std::min)(2 * request.size, maximum_size);
     }
@@ -205,10 +207,17 @@ private:
       const std::size_t used = (std::min)(found, request.size);
       const double squared_radius = copy_offsets(p, used, found < request.size ? reach * reach : 0.);
       const bool may_grow = request.size < maximum_size && used == request.size;
-      if (visit(request.point, Star_neighborhood(m_offsets.data(), used, squared_radius, may_grow)) || !may_grow)
+      if (visit_neighborhood(request.point, squared_radius, may_grow, visit) || !may_grow)
         return true;
       request.size = (std::min)(2 * request.size, maximum_size);
     }
+  }
+
+  template <typename Visit>
+  bool visit_neighborhood(Point_index p, double squared_radius, bool may_grow, Visit& visit) const
+  {
+    return visit(p,
+                 Star_neighborhood(m_offsets.data(), m_offsets.size(), squared_radius, may_grow, m_keeps_boundaries));
   }
 
   void compute_squared_distances(const Local_point& p, const Point_octree_3::Node& leaf)
@@ -361,6 +370,7 @@ private:
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   double m_maximum_radius;
+  bool m_keeps_boundaries;
   Nearest_search m_search;
   double m_guess_per_neighbor = 0.; // square of the radius that holds the neighbors, for each of them
   static constexpr double NOT_GATHERED = -1.;

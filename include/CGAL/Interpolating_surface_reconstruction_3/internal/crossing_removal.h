@@ -96,9 +96,8 @@ private:
   // A surface of so many times the area has sheets where there was none.
   static constexpr double MAXIMUM_GROWTH = 2.;
 
-  // Of the components that are replaced, all together, so that this takes seconds at most: it costs several times what
-  // all else does.
-  static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
+  // Of the components that are replaced, all together: it costs several times what all else does.
+  static constexpr std::size_t MAXIMUM_POINTS = Kept_triangulation::MAXIMUM_POINTS;
 
   // The replacement of a component may touch itself, but only at few points: the most triangles that are left out there,
   // in parts of all.

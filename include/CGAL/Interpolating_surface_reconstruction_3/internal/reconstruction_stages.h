@@ -87,18 +87,11 @@ public:
     return octree;
   }
 
-  // A star that sees far closes an opening that shall stay.
-  std::size_t maximum_neighbors() const
-  {
-    constexpr std::size_t NEIGHBORS_THIS_SIDE_OF_OPENINGS = 64;
-    return closes_all_loops() ? NO_LIMIT : NEIGHBORS_THIS_SIDE_OF_OPENINGS;
-  }
-
   Star_table build_stars(const Point_octree_3& octree, double share)
   {
     m_progress.begin_stage(Stage::STARS, share);
     Star_table stars = construct_stars<ConcurrencyTag>(m_cloud.positions(), octree, m_construction, maximum_radius(),
-                                                       m_progress, maximum_neighbors());
+                                                       m_progress, !closes_all_loops());
     m_progress.end_stage(stars.size());
     return stars;
   }

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -51,15 +50,14 @@ struct Neighborhoods<Box_neighborhood_tag>
 // go_further() returns false.
 template <typename StarConstruction, typename GoFurther>
 Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const Point_octree_3& octree,
-                                  const StarConstruction& construction, double maximum_radius,
-                                  std::size_t maximum_neighbors, std::size_t begin, std::size_t end,
-                                  const GoFurther& go_further)
+                                  const StarConstruction& construction, double maximum_radius, bool keeps_boundaries,
+                                  std::size_t begin, std::size_t end, const GoFurther& go_further)
 {
   // between two polls; some milliseconds
   constexpr std::size_t NEIGHBORS_PER_POLL = 1 << 15;
   std::size_t neighbors = 0;
-  typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type neighborhoods(points, octree,
-                                                                                               maximum_radius);
+  typename Neighborhoods<typename StarConstruction::Neighborhood_category>::type neighborhoods(
+    points, octree, maximum_radius, keeps_boundaries);
   // A leaf's points may become certain in any order.
   std::vector<std::vector<Point_index> > links(OCTREE_LEAF_SIZE);
   Star_table::Block block;
@@ -67,7 +65,8 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
   for (std::size_t l = begin; l != end; ++l) {
     const Point_octree_3::Node& leaf = octree.node(octree.leaves()[l]);
     links.resize((std::max)(links.size(), std::size_t(leaf.end - leaf.begin)));
-    neighborhoods.for_each_point(leaf, construction.initial_number_of_neighbors(), maximum_neighbors,
+    neighborhoods.for_each_point(leaf, construction.initial_number_of_neighbors(),
+                                 construction.maximum_number_of_neighbors(),
                                  [&](Point_index p, const Star_neighborhood& neighborhood) {
                                    neighbors += neighborhood.size();
                                    const bool is_certain = construction(neighborhood, star);
@@ -91,23 +90,20 @@ Star_table::Block stars_of_leaves(const std::vector<Local_point>& points, const 
   return block;
 }
 
-// The star of every point (thesis 4.3.2 and 4.3.3), which sees no more than `maximum_neighbors`; no star
-// depends on another.
+// The star of every point (thesis 4.3.2 and 4.3.3); no star depends on another.
 template <typename ConcurrencyTag, typename StarConstruction, typename Progress>
 Star_table construct_stars(const std::vector<Local_point>& points, const Point_octree_3& octree,
                            const StarConstruction& construction, double maximum_radius, Progress& progress,
-                           std::size_t maximum_neighbors = (std::numeric_limits<std::size_t>::max)())
+                           bool keeps_boundaries = false)
 {
   constexpr std::size_t LEAVES_PER_BLOCK = 64;
   const std::size_t leaves = octree.leaves().size();
   std::vector<Star_table::Block> blocks((leaves + LEAVES_PER_BLOCK - 1) / LEAVES_PER_BLOCK);
-  maximum_neighbors = (std::min)(maximum_neighbors, construction.maximum_number_of_neighbors());
   std::atomic<std::size_t> done{ 0 };
   for_each_block<ConcurrencyTag>(leaves, LEAVES_PER_BLOCK, [&](std::size_t begin, std::size_t end) {
     if (progress.advance(double(done += end - begin) / double(leaves)))
-      blocks[begin / LEAVES_PER_BLOCK] =
-        stars_of_leaves(points, octree, construction, maximum_radius, maximum_neighbors, begin, end,
-                        [&] { return progress.advance(0.); });
+      blocks[begin / LEAVES_PER_BLOCK] = stars_of_leaves(points, octree, construction, maximum_radius, keeps_boundaries,
+                                                         begin, end, [&] { return progress.advance(0.); });
   });
   return Star_table(std::move(blocks));
 }
