@@ -409,6 +409,31 @@ void test_boundaries()
                 .empty());
 }
 
+// The convex hull of a sheet has the inside of the sheet on one side: what would close it there lies on the sheet.
+void test_sheets()
+{
+  const auto normal_of_hills = [](const Point& p) {
+    return Vector(-.25 * std::cos(.25 * p.x()) * std::cos(.2 * p.y()),
+                  .2 * std::sin(.25 * p.x()) * std::sin(.2 * p.y()), 1.);
+  };
+  const Sample hills = hills_in_rows(24, 500, 1);
+  const Oriented_points samples = with_normals(hills.points, normal_of_hills);
+  for (const bool keep : { false, true }) {
+    begin_case(hills.name + (keep ? ", boundaries kept" : ""));
+    Counting_visitor visitor;
+    const Soup soup =
+      lis(samples, params::combine(params::keep_boundaries(keep), params::visitor(std::ref(visitor)), oriented_maps()));
+    ISR_CHECK(validation::is_oriented_manifold(soup.points, soup.triangles, Kernel()));
+    ISR_CHECK_EQUAL(visitor.unused, 0u);
+    ISR_CHECK_EQUAL(validation::number_of_components(soup.triangles), 1u);
+    ISR_CHECK(validation::boundary_edges(soup.triangles).size() >= 500);
+    if (keep)
+      ISR_CHECK_EQUAL(validation::number_of_boundary_loops(soup.triangles), 2u);
+    for (const auto& t : soup.triangles)
+      ISR_CHECK(CGAL::normal(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]).z() > 0.);
+  }
+}
+
 void test_cancel()
 {
   begin_case("cancel at every step");
@@ -446,6 +471,7 @@ int main()
   test_overloads();
   test_refinement();
   test_boundaries();
+  test_sheets();
   test_cancel();
   return result();
 }

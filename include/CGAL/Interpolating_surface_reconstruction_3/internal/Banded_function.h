@@ -76,9 +76,11 @@ private:
     Stored_visitor<Default_visitor> visitor;
     Progress<Any_visitor> progress(std::function<bool(double)>(), visitor);
     const Star_construction construction;
+    Lis_options options;
+    options.encloses_sheets = true; // a distance has a sign on closed surfaces only
     Lis_surface surface;
     Lis_reconstructor_3<ConcurrencyTag, Traits, Star_construction, Any_visitor>(
-      function.cloud(), function.pieces().normals(), construction, Lis_options(), progress)(surface);
+      function.cloud(), function.pieces().normals(), construction, options, progress)(surface);
     return std::move(surface.triangles);
   }
 

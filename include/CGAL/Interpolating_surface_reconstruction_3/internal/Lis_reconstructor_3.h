@@ -49,6 +49,7 @@ struct Lis_options
   double neighbor_radius = 0.; // in the user's unit; 0: unlimited
   double grid_spacing = 0.;    // in the user's unit; 0: no finer than the samples
   bool keep_boundaries = false;
+  bool encloses_sheets = false; // samples of an open sheet get a closed surface, too
 };
 
 // Oriented triangles; vertices from the number of samples on are added points.
@@ -110,15 +111,24 @@ private:
                                     [this](double fraction) { return m_progress.advance(NORMALS_PART * fraction); });
   }
 
-  // Samples in one plane have no tetrahedra, or none but for rounding, and those of no surface too many.
+  // Samples in one plane have no tetrahedra, or none but for rounding, and those of no surface too many; those of a
+  // sheet have no inside.
   void connect_charts(Lis_surface& surface)
   {
     m_progress.begin_stage(Stage::ISOSURFACE, FUNCTION_SHARE + ISOSURFACE_SHARE);
     surface.triangles =
-      chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, m_options.neighbor_radius,
+      chart_triangles<ConcurrencyTag>(m_cloud, m_normals, m_construction, chart_options(),
                                       [this](double fraction) { return m_progress.advance(fraction); });
     refine(surface);
     m_progress.end_stage(surface.triangles.size());
+  }
+
+  Reconstruction_options chart_options() const
+  {
+    Reconstruction_options result;
+    result.neighbor_radius = m_options.neighbor_radius;
+    result.keep_boundaries = m_options.keep_boundaries;
+    return result;
   }
 
   void turn_normals()
@@ -208,11 +218,12 @@ bool Lis_reconstructor_3<ConcurrencyTag, Traits, StarConstruction, Visitor>::ope
 {
   try {
     const Cell_complex cells = triangulate();
-    if (cells.size() == 0) {
+    const Hull_flux flux(cells, m_cloud.positions(), m_normals);
+    if (cells.size() == 0 || (flux.is_through_sheet() && !m_options.encloses_sheets)) {
       connect_charts(surface);
     } else {
       // The surface of samples whose normals point inward is that of the opposite normals, turned over.
-      const bool is_inside_out = do_normals_point_inward(cells, m_cloud.positions(), m_normals);
+      const bool is_inside_out = flux.is_inward();
       if (is_inside_out)
         turn_normals();
       Oriented_labelling labelling = find_signs(cells);

@@ -35,9 +35,9 @@ namespace internal {
 // `keep_going(fraction)` is asked now and then; nothing comes back after it returned false. `normals`
 // orient the triangles, if there are any.
 template <typename ConcurrencyTag, typename Cloud, typename StarConstruction, typename KeepGoing>
-std::vector<std::array<Point_index, 3> > chart_triangles(const Cloud& cloud, const std::vector<Local_vector>& normals,
-                                                         const StarConstruction& construction, double neighbor_radius,
-                                                         const KeepGoing& keep_going)
+std::vector<std::array<Point_index, 3> >
+chart_triangles(const Cloud& cloud, const std::vector<Local_vector>& normals, const StarConstruction& construction,
+                const Reconstruction_options& options, const KeepGoing& keep_going)
 {
   using Reconstructor =
     Ctc_reconstructor_3<ConcurrencyTag, typename Cloud::Traits_class, StarConstruction, Any_visitor>;
@@ -48,8 +48,6 @@ std::vector<std::array<Point_index, 3> > chart_triangles(const Cloud& cloud, con
   }
   Stored_visitor<Default_visitor> visitor;
   Progress<Any_visitor> progress(std::function<bool(double)>(keep_going), visitor);
-  Reconstruction_options options;
-  options.neighbor_radius = neighbor_radius;
   std::vector<std::array<Point_index, 3> > triangles;
   Reconstructor(cloud, normals, construction, options, progress)([&](const std::array<std::size_t, 3>& t) {
     triangles.push_back({ { cloud_index[t[0]], cloud_index[t[1]], cloud_index[t[2]] } });
@@ -62,8 +60,10 @@ template <typename ConcurrencyTag, typename Cloud, typename StarConstruction, ty
 std::vector<Local_vector> chart_normals(const Cloud& cloud, const StarConstruction& construction,
                                         double neighbor_radius, const KeepGoing& keep_going)
 {
+  Reconstruction_options options;
+  options.neighbor_radius = neighbor_radius;
   const std::vector<std::array<Point_index, 3> > triangles =
-    chart_triangles<ConcurrencyTag>(cloud, {}, construction, neighbor_radius, keep_going);
+    chart_triangles<ConcurrencyTag>(cloud, {}, construction, options, keep_going);
   keep_going(1.);
   return vertex_normals(cloud.positions(), triangles);
 }

@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -26,21 +27,43 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Whether the normals at the vertices of the convex hull point into it, weighted by the area of its facets:
-// what they call the outside is then bounded, as for the scan of a room. Where they are as often right
-// as wrong, as on a sheet, they do not.
-inline bool do_normals_point_inward(const Cell_complex& cells, const std::vector<Local_point>& positions,
-                                    const std::vector<Local_vector>& normals)
+// The flux of the normals through the convex hull, per area: outward and inward, through the facets where it is so.
+struct Hull_flux
 {
-  constexpr double ROUNDING = 1e-9;
-  double flux = 0., area = 0.; // twice
-  for (const std::array<Point_index, 3>& f : hull_facets(cells)) {
-    const Local_vector n = cross_product(positions[f[1]] - positions[f[0]], positions[f[2]] - positions[f[0]]);
-    flux += n * (normals[f[0]] + normals[f[1]] + normals[f[2]]) / 3.;
-    area += std::sqrt(n.squared_length());
+  double outward = 0., inward = 0.;
+
+  Hull_flux(const Cell_complex& cells, const std::vector<Local_point>& positions,
+            const std::vector<Local_vector>& normals)
+  {
+    double area = 0.; // twice
+    for (const std::array<Point_index, 3>& f : hull_facets(cells)) {
+      const Local_vector n = cross_product(positions[f[1]] - positions[f[0]], positions[f[2]] - positions[f[0]]);
+      const double flux = n * (normals[f[0]] + normals[f[1]] + normals[f[2]]) / 3.;
+      (flux > 0. ? outward : inward) += std::abs(flux);
+      area += std::sqrt(n.squared_length());
+    }
+    if (area > 0.) {
+      outward /= area;
+      inward /= area;
+    }
   }
-  return flux < -ROUNDING * area;
-}
+
+  // What the normals call the outside is then bounded, as for the scan of a room.
+  bool is_inward() const
+  {
+    constexpr double ROUNDING = 1e-9;
+    return outward - inward < -ROUNDING;
+  }
+
+  // The convex hull of a sheet has the outside of the sheet on one side and its inside on the other: a half each, or a
+  // quarter where the sheet bends. Of solids, even with flipped normals, it has hardly any of the inside, and normals at
+  // random cancel out.
+  bool is_through_sheet() const
+  {
+    constexpr double LEAST_FLUX = .25;
+    return (std::min)(outward, inward) > LEAST_FLUX;
+  }
+};
 
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3
