@@ -56,9 +56,11 @@ permutation of the points only renames them.
 Points with a coordinate that is not a finite number, points with a normal that is zero or not finite,
 and points equal to an earlier one are set aside and counted; see `on_points_set_aside()` of
 `InterpolatingReconstructionVisitor`, which is told the first two kinds as one. Fewer than three
-distinct points, or collinear ones, give no triangle. Points that lie in one plane, and points with more
-than 50 Delaunay tetrahedra each, which are no samples of a surface, are handed on to
-`ctc_reconstruction()` and may give a surface with boundary. A reconstruction that is cancelled writes
+distinct points, or collinear ones, give no triangle. Points that lie in one plane, points with more
+than 50 Delaunay tetrahedra each, and samples of an open sheet are handed on to `ctc_reconstruction()`, with
+`keep_boundaries` if it is given, and may give a surface with boundary, or one that crosses itself. They are those of a
+sheet if the flux of the normals through the facets of the convex hull is more than a quarter of their area both outward
+and inward. A reconstruction that is cancelled writes
 nothing.
 
 The method is from chapter 5 of the thesis cited in the user manual; its function with marching cubes
