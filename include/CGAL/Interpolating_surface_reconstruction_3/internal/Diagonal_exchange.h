@@ -30,6 +30,7 @@
 #include <optional>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,7 +67,7 @@ public:
         });
       }
       for (std::size_t k = MAXIMUM_LOOKS * m_queue.size(); k != 0 && !m_queue.empty(); --k) {
-        cancellation_point();
+        cancellation_point(1 + MICROSECONDS_PER_TEST * std::exchange(m_tests, 0));
         const Exchange exchange = m_queue.top();
         m_queue.pop();
         if (evaluate(exchange.p, exchange.q) == exchange) // as it was when it was pushed
@@ -95,6 +96,9 @@ private:
 
   // In the box of a quadrangle, which has few but on a lid over other parts of the surface.
   static constexpr std::size_t MAXIMUM_POINTS = 256;
+
+  // Of two pairs of triangles, whose rounded coordinates may not tell whether they cross.
+  static constexpr std::size_t MICROSECONDS_PER_TEST = 4;
 
   void push(Point_index p, Point_index q)
   {
@@ -182,7 +186,7 @@ private:
   }
 
   // Whether a new triangle crosses others with vertices near the quadrangle, or is degenerate.
-  bool crosses_surface(const Exchange& exchange) const
+  bool crosses_surface(const Exchange& exchange)
   {
     const auto [gain, p, q, r, s] = exchange;
     if (is_collinear(Triangle{ { r, s, p } }) || is_collinear(Triangle{ { s, r, q } }))
@@ -196,7 +200,10 @@ private:
       for (Point_index v = leaf.begin; v != leaf.end && !result; ++v)
         if (box.contains(m_points[v])) {
           result = ++points > MAXIMUM_POINTS;
-          m_builder.for_each_triangle_at(v, [&](const Triangle& t) { result = result || crosses(exchange, t); });
+          m_builder.for_each_triangle_at(v, [&](const Triangle& t) {
+            m_tests += result ? 0u : 1u;
+            result = result || crosses(exchange, t);
+          });
         }
       return !result;
     });
@@ -223,6 +230,7 @@ private:
   const Point_octree_3& m_octree;
   Builder& m_builder;
   std::priority_queue<Exchange> m_queue;
+  std::size_t m_tests = 0; // of triangles that may cross, since the last poll
 };
 
 } // namespace internal
