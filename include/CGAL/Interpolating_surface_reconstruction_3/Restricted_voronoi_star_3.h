@@ -37,7 +37,8 @@ The star of a point from its Voronoi cell restricted to its tangent plane.
 
 The bisector planes of the point and its neighbors clip the tangent plane to a convex polygon; the
 neighbors that own an edge of the polygon form the star, in cyclic order. The tangent plane is first that of
-the covariance of the nearest neighbors, some of which may lie across a crease or on another sheet. The star is
+the covariance of the 16 nearest neighbors, or of twice as many as long as these lie along a line, as in one row of a
+scan. Some of them may lie across a crease or on another sheet. The star is
 therefore made a second time in the plane of its own triangles, where that plane differs: its normal is
 the mean of their normals, weighted by their angles at the point (Th&uuml;rmer and W&uuml;thrich,
 <em>Computing vertex normals from polygonal facets</em>, 1998). Where four points are
@@ -46,8 +47,9 @@ stars of all four points agree, whatever their tangent planes. The triangles are
 the Delaunay triangulation of the points where the sampling suffices. The star is certain as soon as
 the neighborhood reaches twice as far as the farthest vertex of the polygon (the radius of security
 of L&eacute;vy and Bonneel, <em>Variational anisotropic surface meshing with Voronoi parallel linear
-enumeration</em>, 2012). The search begins with 16 neighbors and ends with 256: a star that is not certain
-by then is taken as it is. The construction follows Boltcheva and L&eacute;vy, <em>Surface
+enumeration</em>, 2012). The search begins with 16 neighbors and ends with 16 times the number that spans the
+plane, 256 at points that are not in rows and 1024 at most, or with four times that number if boundaries are kept: a
+star that is not certain by then is taken as it is. The construction follows Boltcheva and L&eacute;vy, <em>Surface
 reconstruction by computing restricted Voronoi cells in parallel</em>, 2017.
 
 \cgalModels{StarConstruction_3}
