@@ -46,13 +46,13 @@ through and at cells beside them. The vertices are no points of the range. The o
 of threads.
 
 Far from the points, tangent planes do not tell the inside from the outside. The function counts only in a band around
-the surface of `CGAL::lis_reconstruction()` through the points, as wide as the tangent planes at the vertices of the
-nearest triangle rise over it, each times the agreement of its normal with that of the triangle; elsewhere, the signed
-distance from that surface counts, and in the band its share is the square of its part of the width, so that the two
-join without a jump. The zero set is closed then, and has no part that leads away from the points. Sheets that
-are nearer to each other than the size of the cells may touch and join. If that surface is not closed, as through
-points in a plane, the function counts everywhere, and the zero set ends at the bounding box of the points enlarged by
-twice their largest radius.
+the surface of `CGAL::lis_reconstruction()` through the points, closed for samples of an open sheet, too. The band is as
+wide as the tangent planes at the vertices of the nearest triangle rise over it, each times the agreement of its normal
+with that of the triangle; elsewhere, the signed distance from that surface counts, and in the band its share is the
+square of its part of the width, so that the two join without a jump. The zero set is closed then, and has no part that
+leads away from the points. Sheets that are nearer to each other than the size of the cells may touch and join. If that
+surface is not closed, as through points in a plane, the function counts everywhere, and the zero set ends at the
+bounding box of the points enlarged by twice their largest radius.
 
 The number of cells is proportional to the number of points, whatever their bounding box is and however much their
 spacing varies, and grows with the inverse square of `relative_step`, but for the evaluations of the function, which
