@@ -156,6 +156,38 @@ bool is_storage_consistent(const Builder& builder)
   return true;
 }
 
+// Two strips face each other either way, once the triangle is gone and forgotten that has connected them.
+void test_reset_orientations()
+{
+  for (std::size_t n : { 5u, 7u, 15u }) {
+    begin_case("Moebius band of " + std::to_string(n) + " that is cut");
+    Hand_surface s(points_in_general_position(n, 3));
+    Triples triples = moebius_triples(n);
+    const Triple cut = triples[n / 2], last = triples[n - 1];
+    triples.pop_back();
+    ISR_CHECK(s.add(triples));
+    s.remove(cut[0], cut[1], cut[2]);
+    ISR_CHECK(s.add(last[0], last[1], last[2]) == Triangle_verdict::NOT_ORIENTABLE);
+    s.builder.reset_orientations();
+    ISR_CHECK(s.add(last[0], last[1], last[2]) == Triangle_verdict::ADDED);
+    ISR_CHECK(validation::is_consistently_oriented(s.triangles()));
+    ISR_CHECK(s.add(cut[0], cut[1], cut[2]) == Triangle_verdict::NOT_ORIENTABLE);
+    ISR_CHECK(is_storage_consistent(s.builder));
+  }
+  begin_case("orientations of closed and open points");
+  const Mesh mesh = globe(5, 8);
+  Hand_surface s(mesh.points, links_of(mesh.points.size(), mesh.triples));
+  s.remove(mesh.triples[20][0], mesh.triples[20][1], mesh.triples[20][2]);
+  for (int round = 0; round != 2; ++round) {
+    s.builder.reset_orientations();
+    const Triples after = s.triangles();
+    ISR_CHECK_EQUAL(after.size(), mesh.triples.size() - 1);
+    ISR_CHECK(validation::is_consistently_oriented(after));
+    // Points that are opened now take over how their stars face.
+    s.builder.open(s.indices[mesh.triples[3][0]]);
+  }
+}
+
 void test_open_and_remove()
 {
   begin_case("opening and removing");
@@ -230,6 +262,8 @@ void test_random_triangles()
       if (!before.empty() && random.below(8) == 0) {
         const Triple t = before[random.below(before.size())];
         s.remove(t[0], t[1], t[2]);
+        if (random.below(4) == 0)
+          s.builder.reset_orientations();
       } else {
         const std::size_t p = random.below(n), q = (p + 1 + random.below(n - 1)) % n;
         std::size_t r = random.below(n);
@@ -398,6 +432,7 @@ int main()
   test_closed_fan_is_full();
   test_closed_point_is_full();
   test_not_orientable();
+  test_reset_orientations();
   test_degenerate();
   test_folded();
   test_open_and_remove();

@@ -35,12 +35,12 @@ namespace internal {
 class Kept_triangulation
 {
 public:
-  // Of the sets that are worth asking for: to make a surface of that many points anew takes some seconds.
+  // Larger ones would take too much memory for as long as they are kept.
   static constexpr std::size_t MAXIMUM_POINTS = 1 << 15;
 
   explicit Kept_triangulation(const std::vector<Local_point>& positions) : m_positions(positions) { }
 
-  // Keeps a triangulation that has been made for something else, unless it is too large to be asked for.
+  // Keeps a triangulation that has been made for something else, unless it is too large.
   void adopt(std::unique_ptr<Site_triangulation> triangulation)
   {
     if (!triangulation->is_usable() || triangulation->delaunay().number_of_vertices() > MAXIMUM_POINTS)
@@ -68,7 +68,7 @@ public:
     std::set_difference(m_sites.begin(), m_sites.end(), points.begin(), points.end(), std::back_inserter(removed));
     const bool is_like_kept = m_triangulation && removed.size() <= m_sites.size() / PART_REMOVED;
     // The largest set is likely to be asked for again.
-    if (!is_like_kept && points.size() < m_sites.size())
+    if (points.size() > MAXIMUM_POINTS || (!is_like_kept && points.size() < m_sites.size()))
       return std::make_shared<const Cell_complex>(m_positions, points, cancellation_point);
     std::unique_ptr<Site_triangulation> triangulation = std::move(m_triangulation);
     m_cells.reset();

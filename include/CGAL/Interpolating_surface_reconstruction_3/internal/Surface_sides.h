@@ -63,24 +63,23 @@ public:
 
   Side operator[](Cell_index c) const { return m_sides[c]; }
 
+  // Each from its smallest point on, in order.
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  // Whether a triangle is a facet of the cells.
+  bool is_facet(std::size_t t) const { return m_is_facet[t] != 0; }
+
 private:
   // Of a cell at its facets.
   using Facet_sides = std::array<Side, 4>;
 
-  static bool has_doubt(const Cell_complex::Cell& cell, const std::vector<unsigned char>& is_in_doubt)
-  {
-    return std::any_of(cell.vertices.begin(), cell.vertices.end(),
-                       [&](Point_index p) { return p != NO_POINT && is_in_doubt[p] != 0; });
-  }
-
   // Also doubts the triangles that are no facets.
   template <typename CancellationPoint>
   std::vector<Facet_sides> find_sides_at_triangles(std::vector<unsigned char>& is_in_doubt,
-                                                   CancellationPoint& cancellation_point) const
+                                                   CancellationPoint& cancellation_point)
   {
     std::vector<Facet_sides> sides(m_cells.size(),
                                    Facet_sides{ { Side::UNKNOWN, Side::UNKNOWN, Side::UNKNOWN, Side::UNKNOWN } });
-    std::vector<unsigned char> is_facet(m_triangles.size(), 0);
+    m_is_facet.assign(m_triangles.size(), 0);
     for (Cell_index c = 0; c != m_cells.size(); ++c)
       for (std::size_t i = 0; i != 4; ++i) {
         cancellation_point();
@@ -94,7 +93,7 @@ private:
           const Triangle& t = m_triangles[k];
           const bool is_same = t[1] == f[1] && t[2] == f[2], is_reversed = t[1] == f[2] && t[2] == f[1];
           if (is_same || is_reversed)
-            is_facet[k] = 1;
+            m_is_facet[k] = 1;
           is_triangle = is_triangle || is_same;
           is_reversed_triangle = is_reversed_triangle || is_reversed;
         });
@@ -106,7 +105,7 @@ private:
         sides[n][j] = side(is_triangle && is_reversed_triangle ? j % 2 == 0 : sides[c][i] == Side::OUTSIDE);
       }
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
-      if (!is_facet[t])
+      if (!is_facet(t))
         for (Point_index p : m_triangles[t])
           is_in_doubt[p] = 1;
     return sides;
@@ -123,34 +122,41 @@ private:
       visit(k);
   }
 
-  // Cells at triangles first, then their neighbors across facets that are none.
+  // Cells at triangles first, then their neighbors across facets that are none, but for facets at doubtful points.
   template <typename CancellationPoint>
   void find_sides(const std::vector<Facet_sides>& sides, const std::vector<unsigned char>& is_in_doubt,
                   CancellationPoint& cancellation_point)
   {
+    const auto is_sure = [&](Cell_index c, std::size_t i) {
+      const Triangle f = Cell_complex::facet(m_cells[c], i);
+      return std::none_of(f.begin(), f.end(), [&](Point_index p) { return p != NO_POINT && is_in_doubt[p] != 0; });
+    };
     std::vector<Cell_index> reached;
     for (Cell_index c = 0; c != m_cells.size(); ++c) {
       cancellation_point();
-      if (has_doubt(m_cells[c], is_in_doubt))
-        continue;
       for (std::size_t i = 0; i != 4 && m_sides[c] == Side::UNKNOWN; ++i)
-        m_sides[c] = sides[c][i];
+        if (sides[c][i] != Side::UNKNOWN && is_sure(c, i))
+          m_sides[c] = sides[c][i];
       if (m_sides[c] != Side::UNKNOWN)
         reached.push_back(c);
     }
     for (std::size_t k = 0; k != reached.size(); ++k) {
       cancellation_point();
-      for (Cell_index n : m_cells[reached[k]].neighbors)
-        if (m_sides[n] == Side::UNKNOWN && !has_doubt(m_cells[n], is_in_doubt)) {
-          m_sides[n] = m_sides[reached[k]];
+      const Cell_index c = reached[k];
+      for (std::size_t i = 0; i != 4; ++i) {
+        const Cell_index n = m_cells[c].neighbors[i];
+        if (m_sides[n] == Side::UNKNOWN && sides[c][i] == Side::UNKNOWN && is_sure(c, i)) {
+          m_sides[n] = m_sides[c];
           reached.push_back(n);
         }
+      }
     }
   }
 
   const Cell_complex& m_cells;
-  std::vector<Triangle> m_triangles; // each from its smallest point on, sorted
-  std::vector<std::size_t> m_begins; // of the triangles whose smallest point is a point of the cells, for each
+  std::vector<Triangle> m_triangles;
+  std::vector<unsigned char> m_is_facet; // of each triangle
+  std::vector<std::size_t> m_begins;     // of the triangles whose smallest point is a point of the cells, for each
   std::vector<Side> m_sides;
 };
 

@@ -203,6 +203,20 @@ public:
     m_triangles[t].vertices[0] = NO_POINT;
   }
 
+  // Forgets how parts of the surface face each other that only removed triangles have connected.
+  void reset_orientations()
+  {
+    orientations() = Parity_union_find(m_slots.size());
+    for (Stored_triangle& t : m_triangles)
+      if (t.vertices[0] != NO_POINT)
+        t.orientation = orientations().add();
+    for (Point_index p = 0; p != m_slots.size(); ++p)
+      if (is_open(p))
+        orient_fans(p);
+      else
+        orient_star(p);
+  }
+
   // Calls visit(triangle, orientation element) for every triangle of the surface in canonical order;
   // the triangle is oriented like the element.
   template <typename Visit>
@@ -304,6 +318,33 @@ private:
     Triangle vertices;
     Parity_union_find::Element orientation;
   };
+
+  // Relates the triangles next to each other at an open point.
+  void orient_fans(Point_index p)
+  {
+    const Corners& list = corners(p);
+    const std::vector<Link_end> ends = sorted_link_ends(p);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      if (ends[i].first == ends[i - 1].first) {
+        const Corner &c = list[ends[i - 1].second], &d = list[ends[i].second];
+        orientations().unite(m_triangles[c.triangle].orientation, m_triangles[d.triangle].orientation,
+                             (c.a == ends[i].first) == (d.a == ends[i].first));
+      }
+  }
+
+  // Relates the star of a closed point to its triangles, or to the stars of their points.
+  void orient_star(Point_index p)
+  {
+    m_compatibility.for_each_agreed_triangle(p, [&](Star_table::Slot, Point_index, Point_index a, Point_index b) {
+      for (const Triangle& t : { Triangle{ { a, b, p } }, Triangle{ { b, p, a } } })
+        if (!is_open(t[0])) {
+          const Star_table::View view = m_compatibility.stars().view(t[0], t[1], t[2]);
+          orientations().unite(p, t[0], view == Star_table::View::OPPOSITE_ORIENTATION);
+        } else if (const Triangle_index stored = find_triangle(t[0], t[1], t[2]); stored != NO_TRIANGLE) {
+          orientations().unite(p, m_triangles[stored].orientation, corner(stored, p).a != a);
+        }
+    });
+  }
 
   // A neighbor of a point, and the position of one of the corners with it.
   using Link_end = std::pair<Point_index, std::size_t>;

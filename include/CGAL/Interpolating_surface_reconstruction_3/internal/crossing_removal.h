@@ -18,8 +18,9 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Sites_around_doubts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
@@ -33,8 +34,8 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -43,11 +44,12 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Replaces closed components that cross themselves or each other, as holes can make them that are closed without
-// regard to what is near, and those with holes that could not be closed. Delaunay facets do not cross: the cells of
-// the points of a component are labelled by the side of the surface on which they are and, around crossings and
-// holes, by the linear implicit function of its normals (thesis 5.2); then the surface between the labels is bent as
-// little as possible there.
+// Makes closed components that cross themselves or each other anew around the crossings, as holes can make them that are
+// closed without regard to what is near, and those with holes that could not be closed around these. Delaunay facets do
+// not cross: the cells of the points of a component are labelled by the side of the surface on which they are and,
+// around crossings and holes, by the linear implicit function of its normals (thesis 5.2); then the surface between the
+// labels is bent as little as possible there. Of a large component with few crossings, the points around these and some
+// of the others are enough.
 template <typename ConcurrencyTag, typename Builder>
 class Crossing_removal
 {
@@ -55,9 +57,11 @@ public:
   using Triangle = typename Builder::Triangle;
 
   // `normals` of the points orient the components, or none, which then face outward.
-  Crossing_removal(const std::vector<Local_point>& points, const std::vector<Local_vector>& normals, Builder& builder,
+  Crossing_removal(const std::vector<Local_point>& points, const std::vector<Local_vector>& normals,
+                   const Point_octree_3& octree, double maximum_radius, Builder& builder,
                    Kept_triangulation& triangulation)
-    : m_points(points), m_given_normals(normals), m_builder(builder), m_triangulation(triangulation)
+    : m_points(points), m_given_normals(normals), m_builder(builder), m_triangulation(triangulation),
+      m_sites(points, octree, maximum_radius, builder)
   { }
 
   // Only triangles stored from `first` on may cross others; the increasing points `unclosed` are on holes that could
@@ -69,22 +73,22 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      find_small_components(cancellation_point);
       if (!find_crossings(first, unclosed, cancellation_point))
         return false;
+      m_builder.reset_orientations();
       find_normals(progress);
       find_doubts(cancellation_point);
       m_is_visited.assign(m_points.size(), 0);
       for (const Crossing& crossing : m_crossings)
-        if (collect_component(crossing.first, cancellation_point) && m_component.size() <= m_points_left &&
-            is_closed_but_for(unclosed)) {
-          m_points_left -= m_component.size();
-          is_changed = replace(reconstruct(progress, cancellation_point), cancellation_point) || is_changed;
-        }
+        if (collect_component(crossing.first, cancellation_point) && is_closed_but_for(unclosed))
+          is_changed = replace_part(progress, cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
     return is_changed;
   }
+
+  // Found by the last call, from either side, and with the points on holes.
+  std::size_t number_of_crossings() const { return m_crossings.size(); }
 
 private:
   using Crossing = typename Surface_crossings<Builder>::Crossing;
@@ -96,9 +100,6 @@ private:
   // A surface of so many times the area has sheets where there was none.
   static constexpr double MAXIMUM_GROWTH = 2.;
 
-  // Of the components that are replaced, all together: it costs several times what all else does.
-  static constexpr std::size_t MAXIMUM_POINTS = Kept_triangulation::MAXIMUM_POINTS;
-
   // The replacement of a component may touch itself, but only at few points: the most triangles that are left out there,
   // in parts of all.
   static constexpr std::size_t PART_LEFT_OUT = 64;
@@ -106,38 +107,12 @@ private:
   // Changes of labels that the search may try at each point in doubt.
   static constexpr std::size_t SEARCH_EFFORT_PER_POINT = 256;
 
-  // Marks the points of components that are not too large to be replaced: crossings of others need not be found.
-  template <typename CancellationPoint>
-  void find_small_components(CancellationPoint& cancellation_point)
-  {
-    m_is_small.assign(m_points.size(), 1);
-    if (m_points.size() <= MAXIMUM_POINTS)
-      return;
-    Parity_union_find components(m_points.size());
-    m_builder.for_each_triangle([&](const Triangle& t, auto) {
-      cancellation_point();
-      components.unite(t[0], t[1], false);
-      components.unite(t[0], t[2], false);
-    });
-    std::vector<std::size_t> sizes(m_points.size(), 0);
-    for (Point_index p = 0; p != m_points.size(); ++p)
-      ++sizes[components.find(p).root];
-    for (Point_index p = 0; p != m_points.size(); ++p)
-      m_is_small[p] = sizes[components.find(p).root] <= MAXIMUM_POINTS ? 1 : 0;
-  }
-
   // From either side; false if there are none. Points on holes, and what their stars see, are treated as crossing.
   template <typename CancellationPoint>
   bool find_crossings(typename Builder::Triangle_index first, const std::vector<Point_index>& unclosed,
                       CancellationPoint& cancellation_point)
   {
-    const auto is_suspect = [&](Triangle t) {
-      std::sort(t.begin(), t.end());
-      return !std::binary_search(m_kept.begin(), m_kept.end(), t);
-    };
-    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(
-      first, is_suspect, [&](const Triangle& t) { return m_is_small[t[0]] != 0; }, cancellation_point);
-    m_kept.clear();
+    m_crossings = Surface_crossings<Builder>(m_points, m_builder)(first, cancellation_point);
     const Star_table& stars = m_builder.compatibility().stars();
     for (Point_index p : unclosed)
       for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
@@ -149,12 +124,15 @@ private:
     return !m_crossings.empty();
   }
 
-  // Also the triangles, oriented.
+  // Also the triangles, oriented, each from its smallest point on, in order.
   template <typename Progress>
   void find_normals(Progress& progress)
   {
     m_triangles = oriented_triangles(m_points, m_given_normals, m_builder, [&] { return progress.advance(0.); });
     m_normals = vertex_normals(m_points, m_triangles);
+    for (Triangle& t : m_triangles)
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(m_triangles.begin(), m_triangles.end());
   }
 
   template <typename CancellationPoint>
@@ -205,41 +183,80 @@ private:
     });
   }
 
-  // A surface through the points of the component, empty if there is none that is not much larger.
-  template <typename Progress, typename CancellationPoint>
-  Triangles reconstruct(Progress& progress, CancellationPoint& cancellation_point)
+  // What of the component gives way to what.
+  struct Exchange
   {
-    const std::shared_ptr<const Cell_complex> kept = m_triangulation(m_component, cancellation_point);
+    Triangles removed, added;
+  };
+
+  // Makes the component anew where it is in doubt, unless it becomes much larger. Returns whether it has changed.
+  template <typename Progress, typename CancellationPoint>
+  bool replace_part(Progress& progress, CancellationPoint& cancellation_point)
+  {
+    m_sites.find(m_component, m_is_in_doubt, cancellation_point);
+    const std::shared_ptr<const Cell_complex> kept = m_triangulation(m_sites.sites(), cancellation_point);
     const Cell_complex& cells = *kept;
     if (cells.size() == 0)
-      return Triangles();
-    Triangles old;
-    std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
-                 [&](const Triangle& t) { return std::binary_search(m_component.begin(), m_component.end(), t[0]); });
-    const double old_area = surface_area(m_points, old);
-    Oriented_labelling labelling = label(cells, std::move(old), progress, cancellation_point);
+      return false;
+    std::vector<unsigned char> is_unsure(m_is_in_doubt);
+    for (Point_index p : m_sites.incomplete())
+      is_unsure[p] = 1;
+    const Surface_sides sides(cells, triangles_of_sites(), is_unsure, cancellation_point);
+    doubt_triangles_without_facet(sides);
+    Oriented_labelling labelling =
+      label_by_sides<ConcurrencyTag>(cells, sides, m_points, m_normals, progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     bend_less(cells, labelling, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
-    Triangles result = facets_between_labels(cells, labelling, cancellation_point);
-    return surface_area(m_points, result) > MAXIMUM_GROWTH * old_area ? Triangles() : result;
+    Exchange exchange = find_exchange(cells, sides, is_unsure, labelling, cancellation_point);
+    const double area = surface_area(m_points, sides.triangles()),
+                 growth = surface_area(m_points, exchange.added) - surface_area(m_points, exchange.removed);
+    const std::size_t size = sides.triangles().size() + exchange.added.size() - exchange.removed.size();
+    return !exchange.added.empty() && area + growth <= MAXIMUM_GROWTH * area &&
+           exchange_triangles(m_builder, exchange.removed, std::move(exchange.added), size / PART_LEFT_OUT,
+                              cancellation_point);
   }
 
-  template <typename Progress, typename CancellationPoint>
-  Oriented_labelling label(const Cell_complex& cells, Triangles triangles, Progress& progress,
-                           CancellationPoint& cancellation_point)
+  // Those of the surface between sites.
+  Triangles triangles_of_sites() const
   {
-    const Surface_sides sides(cells, std::move(triangles), m_is_in_doubt, cancellation_point);
-    return label_by_sides<ConcurrencyTag>(cells, sides, m_points, m_normals, progress, cancellation_point);
+    const std::vector<Point_index>& sites = m_sites.sites();
+    const auto is_site = [&](Point_index p) { return std::binary_search(sites.begin(), sites.end(), p); };
+    Triangles result;
+    for (Point_index p : sites)
+      for (auto t = std::lower_bound(m_triangles.begin(), m_triangles.end(), Triangle{ { p, 0, 0 } });
+           t != m_triangles.end() && (*t)[0] == p; ++t)
+        if (is_site((*t)[1]) && is_site((*t)[2]))
+          result.push_back(*t);
+    return result;
+  }
+
+  // But those at incomplete sites.
+  void doubt_triangles_without_facet(const Surface_sides& sides)
+  {
+    const std::vector<Point_index>& incomplete = m_sites.incomplete();
+    const auto is_incomplete = [&](Point_index p) {
+      return std::binary_search(incomplete.begin(), incomplete.end(), p);
+    };
+    for (std::size_t k = 0; k != sides.triangles().size(); ++k) {
+      const Triangle& t = sides.triangles()[k];
+      if (!sides.is_facet(k) && std::none_of(t.begin(), t.end(), is_incomplete))
+        for (Point_index p : t)
+          m_is_in_doubt[p] = 1;
+    }
+  }
+
+  template <typename Vertices>
+  static bool has_marked(const Vertices& vertices, const std::vector<unsigned char>& is_marked)
+  {
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](Point_index p) { return p != NO_POINT && is_marked[p] != 0; });
   }
 
   template <typename CancellationPoint>
   void bend_less(const Cell_complex& cells, Oriented_labelling& labelling, CancellationPoint& cancellation_point)
   {
-    const auto is_in_doubt = [&](Cell_complex::Cell_index c) {
-      const auto& vertices = cells[c].vertices;
-      return std::any_of(vertices.begin(), vertices.end(), [&](Point_index p) { return m_is_in_doubt[p] != 0; });
-    };
+    const auto is_in_doubt = [&](Cell_complex::Cell_index c) { return has_marked(cells[c].vertices, m_is_in_doubt); };
     Label_search<Oriented_labelling> search(
       cells, m_points, labelling, is_in_doubt, is_in_doubt, [](auto...) { return false; }, [](auto) { return true; },
       cancellation_point);
@@ -249,31 +266,60 @@ private:
     search(effort, cancellation_point);
   }
 
-  // Exchanges the triangles of the component for the given ones, or none. Returns whether it did.
+  // Where the labels may give another surface than before, triangles that are not between labels go and facets that are
+  // come: at points in doubt, beside cells whose labels have left their sides, and between cells of unknown sides.
   template <typename CancellationPoint>
-  bool replace(Triangles added, CancellationPoint& cancellation_point)
+  Exchange find_exchange(const Cell_complex& cells, const Surface_sides& sides,
+                         const std::vector<unsigned char>& is_unsure, const Oriented_labelling& labelling,
+                         CancellationPoint& cancellation_point) const
   {
-    if (added.empty())
-      return false;
-    Triangles removed =
-      exchange_triangles(m_builder, m_component, added, cancellation_point, added.size() / PART_LEFT_OUT);
-    if (removed.empty())
-      return false;
-    keep(std::move(removed), std::move(added));
-    return true;
+    const Triangles& old = sides.triangles();
+    std::vector<unsigned char> goes(old.size(), 0);
+    for (std::size_t k = 0; k != old.size(); ++k)
+      goes[k] = !sides.is_facet(k) && has_marked(old[k], m_is_in_doubt) ? 1 : 0;
+    Exchange result;
+    for (Cell_complex::Cell_index c = 0; c != cells.size(); ++c)
+      for (std::size_t i = 0; i != 4; ++i) {
+        cancellation_point();
+        const Cell_complex::Cell_index n = cells[c].neighbors[i];
+        const Triangle f = Cell_complex::facet(cells[c], i);
+        if (n < c || Cell_complex::is_infinite(f) || !may_differ(c, n, f, sides, is_unsure, labelling))
+          continue;
+        // Seen from its cell, a facet of even index is in counterclockwise order.
+        Triangle outward = labelling.label(c) == (i % 2 == 0) ? f : Triangle{ { f[0], f[2], f[1] } };
+        std::rotate(outward.begin(), std::min_element(outward.begin(), outward.end()), outward.end());
+        const auto reversed = find(old, Triangle{ { outward[0], outward[2], outward[1] } });
+        if (reversed != old.size())
+          goes[reversed] = 1;
+        const auto same = find(old, outward);
+        if (labelling.is_surface(c, i) && same == old.size())
+          result.added.push_back(outward);
+        else if (!labelling.is_surface(c, i) && same != old.size())
+          goes[same] = 1;
+      }
+    for (std::size_t k = 0; k != old.size(); ++k)
+      if (goes[k] != 0)
+        result.removed.push_back(old[k]);
+    return result;
   }
 
-  // Remembers the triangles that are in both surfaces: their crossings have been found before.
-  void keep(Triangles old, Triangles replacement)
+  // Whether the labels of a facet's cells may differ where the surface was not, or the other way round.
+  bool may_differ(Cell_complex::Cell_index c, Cell_complex::Cell_index n, const Triangle& f, const Surface_sides& sides,
+                  const std::vector<unsigned char>& is_unsure, const Oriented_labelling& labelling) const
   {
-    for (Triangles* triangles : { &old, &replacement }) {
-      for (Triangle& t : *triangles)
-        std::sort(t.begin(), t.end());
-      std::sort(triangles->begin(), triangles->end());
-    }
-    const auto middle = static_cast<std::ptrdiff_t>(m_kept.size());
-    std::set_intersection(old.begin(), old.end(), replacement.begin(), replacement.end(), std::back_inserter(m_kept));
-    std::inplace_merge(m_kept.begin(), m_kept.begin() + middle, m_kept.end());
+    using Side = Surface_sides::Side;
+    const auto has_left_its_side = [&](Cell_complex::Cell_index d) {
+      return sides[d] != Side::UNKNOWN && (sides[d] == Side::INSIDE) != labelling.label(d);
+    };
+    return has_marked(f, m_is_in_doubt) || has_left_its_side(c) || has_left_its_side(n) ||
+           (sides[c] == Side::UNKNOWN && sides[n] == Side::UNKNOWN && !has_marked(f, is_unsure));
+  }
+
+  // The position of a triangle among sorted ones, or their number.
+  static std::size_t find(const Triangles& triangles, const Triangle& t)
+  {
+    const auto it = std::lower_bound(triangles.begin(), triangles.end(), t);
+    return it != triangles.end() && *it == t ? static_cast<std::size_t>(it - triangles.begin()) : triangles.size();
   }
 
   const std::vector<Local_point>& m_points;
@@ -281,12 +327,11 @@ private:
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
   std::vector<Crossing> m_crossings; // from either side, sorted
-  Triangles m_triangles;             // of the surface as it was, oriented
-  Triangles m_kept;                  // by replacements since then, sorted, with increasing vertices
+  Triangles m_triangles;             // of the surface as it was, oriented, in order
   std::vector<Local_vector> m_normals;
-  std::size_t m_points_left = MAXIMUM_POINTS;
-  std::vector<unsigned char> m_is_small, m_is_in_doubt, m_is_visited; // of each point
-  std::vector<Point_index> m_component;                               // the current one, increasing
+  std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point
+  std::vector<Point_index> m_component;                   // the current one, increasing
+  Sites_around_doubts<Builder> m_sites;                   // of the component
 };
 
 } // namespace internal

@@ -233,7 +233,7 @@ private:
     const auto is_of_lid = [&](const Triangle& t) { return std::binary_search(of_lids.begin(), of_lids.end(), t); };
     Surface_crossings<Builder>(m_points, m_builder)
       .for_each(
-        static_cast<Index>(lids.front().begin), is_of_lid, [](const Triangle&) { return true; },
+        static_cast<Index>(lids.front().begin), is_of_lid,
         [&](const Triangle& t, const Triangle&) { crossing.push_back(t); }, cancellation_point);
     std::sort(crossing.begin(), crossing.end());
     for (const Lid& lid : lids) {

@@ -158,7 +158,7 @@ public:
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
     const auto close_again = [&] { close(is_boundary, m_progress, on_verdict); };
-    unused = remove_crossings(first_late, std::move(unclosed), builder, close_again, insert, unused);
+    unused = remove_crossings(first_late, std::move(unclosed), octree, builder, close_again, insert, unused);
     if (closes_all_loops()) {
       Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, m_triangulation);
       if (recover_corners(m_progress))
@@ -180,11 +180,13 @@ public:
   // out when they are inserted again. Returns the number of unused points, which was `unused`.
   template <typename CloseAgain>
   std::size_t remove_crossings(typename Builder::Triangle_index first, std::vector<Point_index> unclosed,
-                               Builder& builder, const CloseAgain& close_again, Point_insertion<Builder>& insert,
-                               std::size_t unused)
+                               const Point_octree_3& octree, Builder& builder, const CloseAgain& close_again,
+                               Point_insertion<Builder>& insert, std::size_t unused)
   {
-    constexpr int MAXIMUM_PASSES = 2;
-    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, builder, m_triangulation);
+    constexpr int PASSES = 2, MAXIMUM_PASSES = 8;
+    Crossing_removal<ConcurrencyTag, Builder> remove(m_cloud.positions(), m_normals, octree, maximum_radius(), builder,
+                                                     m_triangulation);
+    std::size_t crossings = 0;
     for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const auto next = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
       if (!remove(first, unclosed, m_progress))
@@ -193,6 +195,10 @@ public:
       close_again();
       unused = insert(m_progress);
       first = next;
+      // More passes are worth their time as long as they leave few.
+      if (pass + 1 >= PASSES && 2 * remove.number_of_crossings() > crossings)
+        break;
+      crossings = remove.number_of_crossings();
     }
     return unused;
   }
@@ -236,11 +242,9 @@ private:
   // Whether triangles stored from `first` on cross the surface; false if cancelled.
   bool crosses(const Builder& builder, typename Builder::Triangle_index first)
   {
-    const auto is_any = [](const typename Builder::Triangle&) { return true; };
     Cancellation_point<Progress<Visitor> > cancellation_point(m_progress);
     try {
-      return !Surface_crossings<Builder>(m_cloud.positions(), builder)(first, is_any, is_any, cancellation_point)
-                .empty();
+      return !Surface_crossings<Builder>(m_cloud.positions(), builder)(first, cancellation_point).empty();
     } catch (const Cancelled&) {
       return false;
     }

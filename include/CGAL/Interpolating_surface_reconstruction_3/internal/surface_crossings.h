@@ -47,37 +47,37 @@ public:
     : m_points(points), m_builder(builder)
   { }
 
-  // Crossings of the triangles with `is_suspect(triangle)` stored from `first` on with any others, sorted, among those
-  // with `is_wanted(triangle)`. Where the boxes of very many pairs meet, as of thin triangles, each of the former triangles
-  // counts as one that crosses itself. `cancellation_point()` is called again and again and may throw.
-  template <typename IsSuspect, typename IsWanted, typename CancellationPoint>
-  std::vector<Crossing> operator()(Triangle_index first, const IsSuspect& is_suspect, const IsWanted& is_wanted,
-                                   CancellationPoint& cancellation_point)
+  // Crossings of the triangles stored from `first` on with any others, sorted. Where the boxes of very many pairs meet, as
+  // of thin triangles, each of the former triangles counts as one that crosses itself. `cancellation_point()` is called
+  // again and again and may throw.
+  template <typename CancellationPoint>
+  std::vector<Crossing> operator()(Triangle_index first, CancellationPoint& cancellation_point)
   {
     std::vector<Crossing> crossings;
     for_each(
-      first, is_suspect, is_wanted,
+      first, [](const Triangle&) { return true; },
       [&](const Triangle& s, const Triangle& t) { crossings.push_back(std::minmax(s[0], t[0])); }, cancellation_point);
     std::sort(crossings.begin(), crossings.end());
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
     return crossings;
   }
 
-  // The same crossings as calls of visit(triangle, other triangle), some of them twice.
-  template <typename IsSuspect, typename IsWanted, typename Visit, typename CancellationPoint>
-  void for_each(Triangle_index first, const IsSuspect& is_suspect, const IsWanted& is_wanted, const Visit& visit,
+  // The same crossings of those of the triangles with `is_suspect(triangle)`, as calls of visit(triangle, other triangle),
+  // some of them twice.
+  template <typename IsSuspect, typename Visit, typename CancellationPoint>
+  void for_each(Triangle_index first, const IsSuspect& is_suspect, const Visit& visit,
                 CancellationPoint& cancellation_point)
   {
     m_late.clear();
     for (Triangle_index t = first; t != m_builder.number_of_stored_triangles(); ++t)
-      if (!m_builder.is_removed(t) && is_wanted(m_builder.triangle(t)) && is_suspect(m_builder.triangle(t)))
+      if (!m_builder.is_removed(t) && is_suspect(m_builder.triangle(t)))
         add_box(m_builder.triangle(t), m_late);
     m_pairs_left = (std::max)(PAIRS_OF_FEW_POINTS, PAIRS_PER_POINT * m_points.size());
     if (m_late.empty())
       return;
     sort_late();
     try {
-      cross_with_surface(is_wanted, visit, cancellation_point);
+      cross_with_surface(visit, cancellation_point);
     } catch (const Too_many_pairs&) {
       for (const Box& box : m_late)
         visit(box.info(), box.info());
@@ -120,14 +120,14 @@ private:
     return false;
   }
 
-  template <typename IsWanted, typename Visit, typename CancellationPoint>
-  void cross_with_surface(const IsWanted& is_wanted, const Visit& visit, CancellationPoint& cancellation_point)
+  template <typename Visit, typename CancellationPoint>
+  void cross_with_surface(const Visit& visit, CancellationPoint& cancellation_point)
   {
     const std::size_t block_size = (std::max)(BLOCK_SIZE, m_late.size());
     std::vector<Box> block;
     block.reserve(block_size);
     m_builder.for_each_triangle([&](const Triangle& t, Parity_union_find::Element) {
-      if (is_wanted(t) && may_cross(t))
+      if (may_cross(t))
         add_box(t, block);
       if (block.size() == block_size)
         cross_with(block, visit, cancellation_point);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,9 +44,41 @@ bool attach_all(Builder& builder, const std::vector<std::array<Point_index, 3> >
   return true;
 }
 
-// Exchanges the triangles of the points, which are whole components, for the added ones. Returns the triangles removed;
-// none, with the surface as it was, if the gate of the builder refuses more of the added ones than `maximum_refused`.
-// `cancellation_point()` is called again and again and may throw, before anything changes.
+// Exchanges triangles of the surface for others. Returns false, with the surface as it was, if the gate of the builder
+// refuses more of the added ones than `maximum_refused`. `cancellation_point()` is called again and again and may throw,
+// before anything changes.
+template <typename Builder, typename CancellationPoint>
+bool exchange_triangles(Builder& builder, const std::vector<std::array<Point_index, 3> >& removed,
+                        std::vector<std::array<Point_index, 3> > added, std::size_t maximum_refused,
+                        CancellationPoint& cancellation_point)
+{
+  using Triangle = std::array<Point_index, 3>;
+  const auto open = [&](const Triangle& t) {
+    cancellation_point();
+    for (Point_index p : t)
+      builder.open(p);
+  };
+  std::for_each(removed.begin(), removed.end(), open);
+  std::for_each(added.begin(), added.end(), open);
+  const auto remove = [&](const Triangle& t) { builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
+  std::for_each(removed.begin(), removed.end(), remove);
+  std::sort(added.begin(), added.end());
+  std::size_t refused = 0, attached = 0; // the attached ones come to the front
+  for (std::size_t i = 0; i != added.size() && refused <= maximum_refused; ++i)
+    if (builder.try_add(added[i][0], added[i][1], added[i][2]) == Triangle_verdict::ADDED)
+      added[attached++] = added[i];
+    else
+      ++refused;
+  if (refused <= maximum_refused)
+    return true;
+  while (attached-- != 0)
+    remove(added[attached]);
+  for (const Triangle& t : removed)
+    builder.restore(t);
+  return false;
+}
+
+// The same for all triangles of the points, which are whole components. Returns the triangles removed, or none.
 template <typename Builder, typename CancellationPoint>
 std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, const std::vector<Point_index>& points,
                                                             std::vector<std::array<Point_index, 3> > added,
@@ -62,22 +95,9 @@ std::vector<std::array<Point_index, 3> > exchange_triangles(Builder& builder, co
         removed.push_back(t);
     });
   }
-  const auto remove = [&](const Triangle& t) { builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
-  std::for_each(removed.begin(), removed.end(), remove);
-  std::sort(added.begin(), added.end());
-  std::size_t refused = 0, attached = 0; // the attached ones come to the front
-  for (std::size_t i = 0; i != added.size() && refused <= maximum_refused; ++i)
-    if (builder.try_add(added[i][0], added[i][1], added[i][2]) == Triangle_verdict::ADDED)
-      added[attached++] = added[i];
-    else
-      ++refused;
-  if (refused <= maximum_refused)
-    return removed;
-  while (attached-- != 0)
-    remove(added[attached]);
-  for (const Triangle& t : removed)
-    builder.restore(t);
-  return {};
+  if (!exchange_triangles(builder, removed, std::move(added), maximum_refused, cancellation_point))
+    removed.clear();
+  return removed;
 }
 
 } // namespace internal
