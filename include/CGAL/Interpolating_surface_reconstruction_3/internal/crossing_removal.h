@@ -78,6 +78,7 @@ public:
       m_builder.reset_orientations();
       find_normals(progress);
       find_doubts(cancellation_point);
+      m_is_unsure.assign(m_points.size(), 0);
       m_is_visited.assign(m_points.size(), 0);
       for (const Crossing& crossing : m_crossings)
         if (collect_component(crossing.first, cancellation_point) && is_closed_but_for(unclosed))
@@ -198,17 +199,18 @@ private:
     const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return false;
-    std::vector<unsigned char> is_unsure(m_is_in_doubt);
+    for (Point_index p : m_sites.sites())
+      m_is_unsure[p] = m_is_in_doubt[p];
     for (Point_index p : m_sites.incomplete())
-      is_unsure[p] = 1;
-    const Surface_sides sides(cells, triangles_of_sites(), is_unsure, cancellation_point);
+      m_is_unsure[p] = 1;
+    const Surface_sides sides(cells, triangles_of_sites(), m_is_unsure, cancellation_point);
     doubt_triangles_without_facet(sides);
     Oriented_labelling labelling =
       label_by_sides<ConcurrencyTag>(cells, sides, m_points, m_normals, progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     bend_less(cells, labelling, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
-    Exchange exchange = find_exchange(cells, sides, is_unsure, labelling, cancellation_point);
+    Exchange exchange = find_exchange(cells, sides, labelling, cancellation_point);
     const double area = surface_area(m_points, sides.triangles()),
                  growth = surface_area(m_points, exchange.added) - surface_area(m_points, exchange.removed);
     const std::size_t size = sides.triangles().size() + exchange.added.size() - exchange.removed.size();
@@ -269,8 +271,7 @@ private:
   // Where the labels may give another surface than before, triangles that are not between labels go and facets that are
   // come: at points in doubt, beside cells whose labels have left their sides, and between cells of unknown sides.
   template <typename CancellationPoint>
-  Exchange find_exchange(const Cell_complex& cells, const Surface_sides& sides,
-                         const std::vector<unsigned char>& is_unsure, const Oriented_labelling& labelling,
+  Exchange find_exchange(const Cell_complex& cells, const Surface_sides& sides, const Oriented_labelling& labelling,
                          CancellationPoint& cancellation_point) const
   {
     const Triangles& old = sides.triangles();
@@ -283,7 +284,7 @@ private:
         cancellation_point();
         const Cell_complex::Cell_index n = cells[c].neighbors[i];
         const Triangle f = Cell_complex::facet(cells[c], i);
-        if (n < c || Cell_complex::is_infinite(f) || !may_differ(c, n, f, sides, is_unsure, labelling))
+        if (n < c || Cell_complex::is_infinite(f) || !may_differ(c, n, f, sides, labelling))
           continue;
         // Seen from its cell, a facet of even index is in counterclockwise order.
         Triangle outward = labelling.label(c) == (i % 2 == 0) ? f : Triangle{ { f[0], f[2], f[1] } };
@@ -305,14 +306,14 @@ private:
 
   // Whether the labels of a facet's cells may differ where the surface was not, or the other way round.
   bool may_differ(Cell_complex::Cell_index c, Cell_complex::Cell_index n, const Triangle& f, const Surface_sides& sides,
-                  const std::vector<unsigned char>& is_unsure, const Oriented_labelling& labelling) const
+                  const Oriented_labelling& labelling) const
   {
     using Side = Surface_sides::Side;
     const auto has_left_its_side = [&](Cell_complex::Cell_index d) {
       return sides[d] != Side::UNKNOWN && (sides[d] == Side::INSIDE) != labelling.label(d);
     };
     return has_marked(f, m_is_in_doubt) || has_left_its_side(c) || has_left_its_side(n) ||
-           (sides[c] == Side::UNKNOWN && sides[n] == Side::UNKNOWN && !has_marked(f, is_unsure));
+           (sides[c] == Side::UNKNOWN && sides[n] == Side::UNKNOWN && !has_marked(f, m_is_unsure));
   }
 
   // The position of a triangle among sorted ones, or their number.
@@ -329,9 +330,9 @@ private:
   std::vector<Crossing> m_crossings; // from either side, sorted
   Triangles m_triangles;             // of the surface as it was, oriented, in order
   std::vector<Local_vector> m_normals;
-  std::vector<unsigned char> m_is_in_doubt, m_is_visited; // of each point
-  std::vector<Point_index> m_component;                   // the current one, increasing
-  Sites_around_doubts<Builder> m_sites;                   // of the component
+  std::vector<unsigned char> m_is_in_doubt, m_is_unsure, m_is_visited; // of each point
+  std::vector<Point_index> m_component;                                // the current one, increasing
+  Sites_around_doubts<Builder> m_sites;                                // of the component
 };
 
 } // namespace internal
