@@ -168,7 +168,7 @@ void test_reset_orientations()
     ISR_CHECK(s.add(triples));
     s.remove(cut[0], cut[1], cut[2]);
     ISR_CHECK(s.add(last[0], last[1], last[2]) == Triangle_verdict::NOT_ORIENTABLE);
-    s.builder.reset_orientations();
+    s.builder.reset_orientations(isr_internal::No_cancellation());
     ISR_CHECK(s.add(last[0], last[1], last[2]) == Triangle_verdict::ADDED);
     ISR_CHECK(validation::is_consistently_oriented(s.triangles()));
     ISR_CHECK(s.add(cut[0], cut[1], cut[2]) == Triangle_verdict::NOT_ORIENTABLE);
@@ -179,7 +179,7 @@ void test_reset_orientations()
   Hand_surface s(mesh.points, links_of(mesh.points.size(), mesh.triples));
   s.remove(mesh.triples[20][0], mesh.triples[20][1], mesh.triples[20][2]);
   for (int round = 0; round != 2; ++round) {
-    s.builder.reset_orientations();
+    s.builder.reset_orientations(isr_internal::No_cancellation());
     const Triples after = s.triangles();
     ISR_CHECK_EQUAL(after.size(), mesh.triples.size() - 1);
     ISR_CHECK(validation::is_consistently_oriented(after));
@@ -263,7 +263,7 @@ void test_random_triangles()
         const Triple t = before[random.below(before.size())];
         s.remove(t[0], t[1], t[2]);
         if (random.below(4) == 0)
-          s.builder.reset_orientations();
+          s.builder.reset_orientations(isr_internal::No_cancellation());
       } else {
         const std::size_t p = random.below(n), q = (p + 1 + random.below(n - 1)) % n;
         std::size_t r = random.below(n);

@@ -203,18 +203,22 @@ public:
     m_triangles[t].vertices[0] = NO_POINT;
   }
 
-  // Forgets how parts of the surface face each other that only removed triangles have connected.
-  void reset_orientations()
+  // Forgets how parts of the surface face each other that only removed triangles have connected. `cancellation_point()` is
+  // called again and again and may throw: the surface is of no use then.
+  template <typename Cancellation_point>
+  void reset_orientations(Cancellation_point&& cancellation_point)
   {
     orientations() = Parity_union_find(m_slots.size());
     for (Stored_triangle& t : m_triangles)
       if (t.vertices[0] != NO_POINT)
         t.orientation = orientations().add();
-    for (Point_index p = 0; p != m_slots.size(); ++p)
+    for (Point_index p = 0; p != m_slots.size(); ++p) {
+      cancellation_point();
       if (is_open(p))
         orient_fans(p);
       else
         orient_star(p);
+    }
   }
 
   // Calls visit(triangle, orientation element) for every triangle of the surface in canonical order;

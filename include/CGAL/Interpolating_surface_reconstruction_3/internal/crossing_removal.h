@@ -75,7 +75,7 @@ public:
     try {
       if (!find_crossings(first, unclosed, cancellation_point))
         return false;
-      m_builder.reset_orientations();
+      m_builder.reset_orientations(cancellation_point);
       find_normals(progress);
       find_doubts(cancellation_point);
       m_is_unsure.assign(m_points.size(), 0);
