@@ -183,7 +183,8 @@ public:
       });
       return;
     }
-    const std::array<unsigned char, 3>* const neighbors = m_neighbors.data() + find_neighbors(v);
+    const std::size_t begin = find_neighbors(v); // may move the neighbors
+    const std::array<unsigned char, 3>* const neighbors = m_neighbors.data() + begin;
     const std::uint64_t labels = labels_at(v, changed);
     for (std::uint64_t left = labels; left != 0; left &= left - 1) {
       const std::size_t k = boost::multiprecision::lsb(left);
