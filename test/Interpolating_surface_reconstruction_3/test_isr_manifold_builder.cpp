@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 using namespace isr_test;
@@ -183,6 +184,11 @@ void test_reset_orientations()
     const Triples after = s.triangles();
     ISR_CHECK_EQUAL(after.size(), mesh.triples.size() - 1);
     ISR_CHECK(validation::is_consistently_oriented(after));
+    std::set<isr_internal::Parity_union_find::Element> parts;
+    s.builder.for_each_triangle([&](const Builder::Triangle&, isr_internal::Parity_union_find::Element e) {
+      parts.insert(s.builder.orientations().find(e).root);
+    });
+    ISR_CHECK_EQUAL(parts.size(), 1u);
     // Points that are opened now take over how their stars face.
     s.builder.open(s.indices[mesh.triples[3][0]]);
   }

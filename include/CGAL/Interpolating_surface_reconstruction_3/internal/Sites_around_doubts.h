@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_surroundings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -39,7 +40,7 @@ public:
     : m_builder(builder), m_surroundings(points, octree, maximum_radius, builder.compatibility().stars())
   { }
 
-  // `component` is increasing. All of its points are sites if it is small, or if most of them would be.
+  // `component` is increasing. All of its points are sites if their cells may be kept, or if most of them would be.
   // `cancellation_point()` is called again and again and may throw.
   template <typename CancellationPoint>
   void find(const std::vector<Point_index>& component, const std::vector<unsigned char>& is_in_doubt,
@@ -47,7 +48,7 @@ public:
   {
     m_incomplete.clear();
     m_sites = component;
-    if (component.size() <= SITES_OF_SMALL_COMPONENT)
+    if (component.size() <= Kept_triangulation::MAXIMUM_POINTS)
       return;
     find_near(component, is_in_doubt, cancellation_point);
     if (2 * (m_sites.size() + MAXIMUM_FAR_SITES) > component.size()) {
@@ -66,9 +67,6 @@ public:
   const std::vector<Point_index>& incomplete() const { return m_incomplete; }
 
 private:
-  // A surface through so many is made anew in a second.
-  static constexpr std::size_t SITES_OF_SMALL_COMPONENT = 1 << 15;
-
   // What tells the inside from the outside need not be fine.
   static constexpr std::size_t MAXIMUM_FAR_SITES = 4096;
 
