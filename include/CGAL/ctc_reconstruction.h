@@ -112,7 +112,8 @@ The method is from chapter 4 of the thesis cited in the user manual.
       holes: they are completed whatever the value, and openings among them may be closed}
   \cgalParamNEnd
   \cgalParamNBegin{keep_boundaries}
-    \cgalParamDescription{* whether loops stay open that the sampling shows to be boundaries of the surface}
+    \cgalParamDescription{* whether openings of the sampled surface stay open: loops along which most stars are
+      open, and what is wider than ten spacings. Gaps of the sampling that wide are openings, too}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

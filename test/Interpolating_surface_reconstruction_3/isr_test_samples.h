@@ -91,6 +91,18 @@ inline Sample sphere_fibonacci(std::size_t n)
   return s;
 }
 
+// Without what is above `height`.
+inline Sample sphere_with_opening(std::size_t n, double height)
+{
+  Sample s = sphere_fibonacci(n);
+  s.points.erase(std::remove_if(s.points.begin(), s.points.end(), [&](const Point& p) { return p.z() > height; }),
+                 s.points.end());
+  s.name = "sphere up to " + std::to_string(height);
+  s.euler = 1;
+  s.boundary_loops = 1;
+  return s;
+}
+
 inline Sample sphere_random(std::size_t n, std::uint64_t seed)
 {
   Sample s{ "random sphere, seed " + std::to_string(seed), {}, 2, 1, 0 };

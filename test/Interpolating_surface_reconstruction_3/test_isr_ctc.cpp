@@ -66,6 +66,35 @@ void test_surfaces_with_boundaries()
   test_with_boundaries(s);
 }
 
+// The stars around an opening see across it, or conflict there where the points are noisy.
+void test_openings()
+{
+  constexpr std::size_t N = 4000;
+  const double spacing = std::sqrt(4. * PI / double(N));
+  for (const double noise : { 0., .1, .3 }) {
+    Sample s = sphere_with_opening(N, .8);
+    s.name += ", noise " + std::to_string(noise);
+    s.points = with_noise(s.points, noise * spacing, 1);
+    test_with_boundaries(s);
+  }
+}
+
+// Noise on the half that is far from the opening.
+void test_crossings_beside_opening()
+{
+  begin_case("crossings beside an opening, boundaries kept");
+  constexpr std::size_t N = 3000;
+  Sample s = sphere_with_opening(N, .6);
+  const Points noisy = with_noise(s.points, .8 * std::sqrt(4. * PI / double(N)), 1);
+  for (std::size_t i = 0; i != s.points.size(); ++i)
+    if (s.points[i].z() < 0.)
+      s.points[i] = noisy[i];
+  Counting_visitor visitor;
+  const Triples triples = checked_ctc(s.points, visitor, params::keep_boundaries(true));
+  ISR_CHECK_EQUAL(validation::number_of_boundary_loops(triples), 1u);
+  ISR_CHECK(!has_self_intersection(s.points, triples));
+}
+
 // The stars at the corners of plates see as far as 4 spacings, and so reach a plate that near: a known
 // limitation. The guarantees hold all the same.
 void test_close_plates()
@@ -179,6 +208,8 @@ int main()
   test_closed_surfaces();
   test_few_points();
   test_surfaces_with_boundaries();
+  test_openings();
+  test_crossings_beside_opening();
   test_close_plates();
   test_plane_grid_is_exact();
   test_grid_has_diagonals_of_delaunay_triangulation();

@@ -59,7 +59,8 @@ void test_surfaces()
     test_closed(s);
   for (const Sample& s : solids_of_few_points())
     test_closed(s);
-  const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40), hills_in_rows(24, 500, 1) };
+  const Sample open[] = { plane_grid(20), two_plates(12, 5.), cylinder_open(20, 40), hills_in_rows(24, 500, 1),
+                          sphere_with_opening(4000, .8) };
   for (const Sample& s : open)
     test_with_boundaries(s);
 }

@@ -76,8 +76,8 @@ Named_function_parameters<K, internal_np::maximum_hole_size_t> maximum_hole_size
 /*!
 \ingroup PkgInterpolatingSurfaceReconstruction3NamedParameters
 
-starts a pack of named parameters with the policy for loops that the sampling shows to be boundaries
-of the surface: `true` leaves them open. It can be followed by CGAL's own parameters with a dot.
+starts a pack of named parameters with the policy for openings of the sampled surface: `true` leaves
+them open. It can be followed by CGAL's own parameters with a dot.
 */
 template <typename K>
 Named_function_parameters<K, internal_np::keep_boundaries_t> keep_boundaries(const K& value)

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Edge_spacings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_neighbors.h>
@@ -42,7 +43,7 @@ public:
   Boundary_opening(const std::vector<Local_point>& positions, const std::vector<Local_vector>& normals,
                    const std::vector<Triangle>& triangles)
     : m_positions(positions), m_normals(normals), m_triangles(triangles),
-      m_neighbors(neighbors_of_closed_surface(triangles)), m_is_seen(triangles.size(), 0),
+      m_neighbors(neighbors_of_closed_surface(triangles)), m_spacings(positions), m_is_seen(triangles.size(), 0),
       m_is_removed(triangles.size(), 0)
   { }
 
@@ -54,7 +55,7 @@ public:
     find_spacings();
     sum_up_normals();
     for (std::size_t t = 0; t != m_triangles.size(); ++t)
-      if (!m_is_seen[t] && has_edge_longer_than(t, SEED_RATIO))
+      if (!m_is_seen[t] && has_edge_longer_than(t, Edge_spacings::FAR_LONGER))
         open_region(region_of(t));
     remove_second_fans();
     std::vector<Triangle> result;
@@ -65,10 +66,6 @@ public:
   }
 
 private:
-  // An opening has an edge that is far longer than the spacing: an octagon measures 2.6 of its edges. Its other edges
-  // are longer than those of a grid, whose diagonals are the square root of 2 times the spacing.
-  static constexpr double SEED_RATIO = 2.5, LONG_RATIO = 1.5;
-
   // In triangles, those of an octagon: smaller openings cannot be told from a few long triangles.
   static constexpr std::size_t MINIMUM_SIZE = 6;
 
@@ -81,13 +78,6 @@ private:
   // Of the cosine of an angle.
   static constexpr double ROUNDING = 1e-9;
 
-  double length(Point_index p, Point_index q) const
-  {
-    return std::sqrt((m_positions[q] - m_positions[p]).squared_length());
-  }
-
-  // The length of the third shortest edge at each vertex: at an opening, two edges of its outline and at least
-  // one other belong to the surface.
   void find_spacings()
   {
     std::vector<std::size_t> begin(m_positions.size() + 1, 0);
@@ -96,31 +86,23 @@ private:
         ++begin[p + 1];
     for (std::size_t p = 0; p != m_positions.size(); ++p)
       begin[p + 1] += begin[p];
-    std::vector<double> lengths(begin.back());
+    std::vector<Point_index> neighbors(begin.back());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     for (const Triangle& t : m_triangles)
       for (std::size_t i = 0; i != 3; ++i)
-        lengths[next[t[i]]++] = length(t[i], t[(i + 1) % 3]);
-    m_spacings.assign(m_positions.size(), 0.);
-    for (std::size_t p = 0; p != m_positions.size(); ++p)
-      if (begin[p] != begin[p + 1]) {
-        const auto first = lengths.begin() + std::ptrdiff_t(begin[p]),
-                   last = lengths.begin() + std::ptrdiff_t(begin[p + 1]),
-                   third = first + (std::min)(last - first - 1, std::ptrdiff_t(2));
-        std::nth_element(first, third, last);
-        m_spacings[p] = *third;
-      }
+        neighbors[next[t[i]]++] = t[(i + 1) % 3];
+    for (Point_index p = 0; p != m_positions.size(); ++p)
+      m_spacings.set(p, neighbors.begin() + std::ptrdiff_t(begin[p]), neighbors.begin() + std::ptrdiff_t(begin[p + 1]));
   }
 
-  bool is_longer_than(std::size_t t, std::size_t i, double ratio) const
+  bool is_longer_than(std::size_t t, std::size_t i, double times) const
   {
-    const Point_index p = m_triangles[t][i], q = m_triangles[t][(i + 1) % 3];
-    return length(p, q) > ratio * (std::max)(m_spacings[p], m_spacings[q]);
+    return m_spacings.is_longer(m_triangles[t][i], m_triangles[t][(i + 1) % 3], times);
   }
 
-  bool has_edge_longer_than(std::size_t t, double ratio) const
+  bool has_edge_longer_than(std::size_t t, double times) const
   {
-    return is_longer_than(t, 0, ratio) || is_longer_than(t, 1, ratio) || is_longer_than(t, 2, ratio);
+    return is_longer_than(t, 0, times) || is_longer_than(t, 1, times) || is_longer_than(t, 2, times);
   }
 
   Local_vector normal(std::size_t t) const
@@ -177,7 +159,7 @@ private:
     for (std::size_t k = 0; k != region.size(); ++k)
       for (std::size_t i = 0; i != 3; ++i) {
         const std::size_t n = m_neighbors[region[k]][i];
-        if (!m_is_seen[n] && (is_longer_than(region[k], i, LONG_RATIO) || faces_against_normals(n))) {
+        if (!m_is_seen[n] && (is_longer_than(region[k], i, Edge_spacings::LONGER) || faces_against_normals(n))) {
           m_is_seen[n] = 1;
           region.push_back(n);
         }
@@ -284,7 +266,7 @@ private:
   const std::vector<Local_vector>& m_normals;
   const std::vector<Triangle>& m_triangles;
   const Triangle_neighbors m_neighbors;
-  std::vector<double> m_spacings;
+  Edge_spacings m_spacings;
   std::array<std::vector<Local_vector>, NUMBER_OF_WEIGHTINGS> m_sums; // of the normals at each vertex
   std::vector<unsigned char> m_is_seen, m_is_removed;
 };

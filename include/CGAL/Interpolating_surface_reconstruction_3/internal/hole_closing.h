@@ -105,6 +105,17 @@ public:
     }
   }
 
+  // Where several fans meet at a point, because triangles were removed, only the largest stays. Ends early if cancelled.
+  template <typename Progress>
+  void keep_largest_fans(Progress& progress)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      remove_smaller_fans(cancellation_point);
+    } catch (const Cancelled&) {
+    }
+  }
+
   // Closes the short loops between agreed triangles whose filling is planar (thesis 4.3.5), such as a
   // quadrangle on whose diagonal the stars do not agree. A loop around a point without triangles is
   // left alone, and so is one along which no star is in conflict: it is a boundary. Ends early if
@@ -151,7 +162,7 @@ private:
     fill_faces_with_holes(is_boundary, cancellation_point, on_verdict);
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       const std::vector<Boundary_loop> failed = fill_loops(is_boundary, cancellation_point, on_verdict);
-      const bool is_single = keep_largest_fans(cancellation_point);
+      const bool is_single = remove_smaller_fans(cancellation_point);
       if (failed.empty() && is_single)
         return true;
       if (round + 1 == MAXIMUM_ROUNDS)
@@ -160,7 +171,7 @@ private:
         remove_ring(loop, cancellation_point);
     }
     restore_rings(cancellation_point);
-    keep_largest_fans(cancellation_point);
+    remove_smaller_fans(cancellation_point);
     return false;
   }
 
@@ -277,9 +288,9 @@ private:
     return 2 * static_cast<std::size_t>(agreed) > loop.size();
   }
 
-  // Where several fans meet at a point, only the largest stays. Returns whether there were none.
+  // Returns whether there were none.
   template <typename CancellationPoint>
-  bool keep_largest_fans(CancellationPoint& cancellation_point)
+  bool remove_smaller_fans(CancellationPoint& cancellation_point)
   {
     bool is_single = true;
     std::vector<Point_index> todo(m_builder.open_points());
@@ -287,7 +298,7 @@ private:
       const Point_index p = todo.back();
       todo.pop_back();
       cancellation_point(m_builder.corners(p).size());
-      const std::vector<Point_index> touched = remove_smaller_fans(p);
+      const std::vector<Point_index> touched = remove_smaller_fans_at(p);
       is_single = is_single && touched.empty();
       todo.insert(todo.end(), touched.begin(), touched.end());
     }
@@ -295,7 +306,7 @@ private:
   }
 
   // Returns the points of the triangles removed.
-  std::vector<Point_index> remove_smaller_fans(Point_index p)
+  std::vector<Point_index> remove_smaller_fans_at(Point_index p)
   {
     std::vector<Point_index> touched;
     if (m_builder.number_of_boundary_edges(p) <= 2)

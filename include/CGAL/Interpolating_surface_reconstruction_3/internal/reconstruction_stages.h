@@ -24,18 +24,22 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/conflict_completion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_attachment.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/lid_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/sheet_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_compatibility.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/star_construction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/temporary_lids.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -128,8 +132,9 @@ public:
     std::size_t attached = 0;
     const auto first_late = static_cast<typename Builder::Triangle_index>(builder.number_of_stored_triangles());
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
+    bool has_temporary_lids = false;
     const auto is_boundary = [&](const Boundary_loop& loop) {
-      return m_options.keep_boundaries && are_most_stars_open(builder, loop);
+      return m_options.keep_boundaries && !has_temporary_lids && are_most_stars_open(builder, loop);
     };
     const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
@@ -158,7 +163,20 @@ public:
     if (!is_closed)
       unclosed = close.find_open_loops(is_boundary, m_progress).points_of_failed;
     const auto close_again = [&] { close(is_boundary, m_progress, on_verdict); };
+    Temporary_lids<Builder> lids(builder);
+    // Crossings can be removed from closed components only.
+    if (m_options.keep_boundaries && crosses(builder, first_late)) {
+      lids.expect_at(boundary_loops(builder, is_boundary));
+      has_temporary_lids = true;
+      close_again();
+    }
     unused = remove_crossings(first_late, std::move(unclosed), octree, builder, close_again, insert, unused);
+    if (has_temporary_lids) {
+      lids.remove();
+      has_temporary_lids = false;
+      close_again();
+      unused = insert(m_progress);
+    }
     if (closes_all_loops()) {
       Corner_recovery<ConcurrencyTag, Builder> recover_corners(m_cloud.positions(), octree, builder, m_triangulation);
       if (recover_corners(m_progress))
@@ -166,6 +184,13 @@ public:
       Component_joining<ConcurrencyTag, Builder> join_components(m_cloud.positions(), octree, builder, m_triangulation);
       if (join_components(m_progress))
         unused = insert(m_progress);
+    }
+    if (m_options.keep_boundaries) {
+      Lid_removal<Builder, StarConstruction> remove_lids(m_cloud.positions(), octree, m_construction, builder);
+      if (remove_lids(m_progress)) {
+        close.keep_largest_fans(m_progress);
+        unused = insert(m_progress);
+      }
     }
     m_triangulation.clear();
     Diagonal_exchange<Builder> exchange_diagonals(m_cloud.positions(), octree, builder);
@@ -248,6 +273,21 @@ private:
     } catch (const Cancelled&) {
       return false;
     }
+  }
+
+  // Those that are boundaries of the surface; none if cancelled.
+  template <typename IsBoundary>
+  std::vector<Boundary_loop> boundary_loops(const Builder& builder, const IsBoundary& is_boundary)
+  {
+    Cancellation_point<Progress<Visitor> > cancellation_point(m_progress);
+    std::vector<Boundary_loop> loops;
+    try {
+      loops = Boundary_loops<Builder>(m_cloud.positions(), builder)(cancellation_point);
+    } catch (const Cancelled&) {
+    }
+    loops.erase(std::remove_if(loops.begin(), loops.end(), [&](const Boundary_loop& l) { return !is_boundary(l); }),
+                loops.end());
+    return loops;
   }
 
   static bool are_most_stars_open(const Builder& builder, const Boundary_loop& loop)
