@@ -111,6 +111,14 @@ void test_lid_removal()
   ISR_CHECK_EQUAL(left_of_lid(32, 0, behind), 30u);
 }
 
+void check_without_lids(const Mesh& mesh)
+{
+  Hand_surface s(mesh.points);
+  ISR_CHECK(s.add(mesh.triples));
+  ISR_CHECK(!remove_lids(s));
+  ISR_CHECK(sorted(s.triangles()) == sorted(mesh.triples));
+}
+
 void test_point_inside()
 {
   begin_case("point inside");
@@ -119,21 +127,14 @@ void test_point_inside()
   for (std::size_t i = 0; i != N; ++i)
     mesh.triples.push_back(Triple{ i, (i + 1) % N, mesh.points.size() });
   mesh.points.push_back(Point(0, 0, 0));
-  Hand_surface s(mesh.points);
-  ISR_CHECK(s.add(mesh.triples));
-  ISR_CHECK(!remove_lids(s));
-  ISR_CHECK(sorted(s.triangles()) == sorted(mesh.triples));
+  check_without_lids(mesh);
 }
 
 // The wall of a tube with points at its ends only is no disk.
 void test_tube()
 {
   begin_case("tube");
-  const Mesh mesh = wall(40, 2.);
-  Hand_surface s(mesh.points);
-  ISR_CHECK(s.add(mesh.triples));
-  ISR_CHECK(!remove_lids(s));
-  ISR_CHECK(sorted(s.triangles()) == sorted(mesh.triples));
+  check_without_lids(wall(40, 2.));
 }
 
 // Two triangles between the points of their only loop, closed by two others.
