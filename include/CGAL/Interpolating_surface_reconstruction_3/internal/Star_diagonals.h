@@ -167,23 +167,28 @@ private:
   }
 
   // Triangulates the convex polygon of the point and the others around the circle by cutting off the last point in the
-  // order of all stars, and again. Adds the neighbors of the point but for the first.
-  void append_neighbors(std::vector<std::uint32_t> others, std::vector<std::uint32_t>& link) const
+  // order of all stars, and again, as long as it has four. Adds the neighbors of the point but for the first: an end of
+  // the arc of the others that is cut off gives way to the next one before it in the order.
+  void append_neighbors(const std::vector<std::uint32_t>& others, std::vector<std::uint32_t>& link) const
   {
-    const Vector_3 point(0, 0, 0);
+    const auto is_less = [&](std::uint32_t a, std::uint32_t b) {
+      return is_lexicographically_less(m_neighborhood[a], m_neighborhood[b]);
+    };
+    std::array<std::uint32_t, 2> least; // are never cut off
+    std::partial_sort_copy(others.begin(), others.end(), least.begin(), least.end(), is_less);
+    const auto stays = [&](std::uint32_t r) {
+      return !is_less(least[1], r) || is_lexicographically_less(m_neighborhood[r], Vector_3(0, 0, 0));
+    };
     std::vector<std::uint32_t> end(1, others.back()); // backwards
-    while (others.size() > 2) {
-      const auto largest = std::max_element(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return is_lexicographically_less(m_neighborhood[a], m_neighborhood[b]);
-      });
-      if (is_lexicographically_less(m_neighborhood[*largest], point))
-        break;
-      if (largest == others.begin())
-        link.push_back(others[1]);
-      else if (largest + 1 == others.end())
-        end.push_back(others[others.size() - 2]);
-      others.erase(largest);
-    }
+    for (auto it = others.rbegin(); !stays(end.back()); ++it)
+      if (is_less(*it, end.back()))
+        end.push_back(*it);
+    std::uint32_t begin = others.front();
+    for (auto it = others.begin(); !stays(begin); ++it)
+      if (is_less(*it, begin)) {
+        begin = *it;
+        link.push_back(begin);
+      }
     // What is left of the polygon has one more triangle at the point, with both of its neighbors.
     link.insert(link.end(), end.rbegin(), end.rend());
   }
