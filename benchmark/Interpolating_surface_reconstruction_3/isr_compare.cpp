@@ -14,6 +14,7 @@
 #include "comparison_report.h"
 #include "measures/mesh_statistics.h"
 #include "models/model_files.h"
+#include "models/noise.h"
 #include "models/rotation.h"
 #include "measures/peak_memory.h"
 #include "reconstruction_methods.h"
@@ -46,9 +47,13 @@ struct Options
   bool measure_memory = false;
   bool has_rotation = false;
   unsigned int rotation_seed = 0;
+  double noise = 0.;
   std::string csv_file;
   std::vector<std::string> paths;
 };
+
+// Every run of the program is the same.
+constexpr unsigned int NOISE_SEED = 1;
 
 const char* const usage =
   "usage: isr_compare [options] FILE_OR_FOLDER...\n"
@@ -64,6 +69,8 @@ const char* const usage =
   "  --keep-boundaries        CTC, PCR and LIS leave real boundaries open\n"
   "  --rotate SEED            rotate the models at random first; what is decided by ties and near\n"
   "                           ties then differs, what is sure does not\n"
+  "  --noise SHARE            move the points of models with polygons by up to SHARE of the mean length\n"
+  "                           of an edge in each coordinate; LIS gets the normals from before\n"
   "  --no-metrics             no distances to the reference and no self-intersections\n"
   "  --intersection-limit N   count self-intersections up to N triangles (default 200000)\n"
   "  --csv FILE               write the rows to FILE as well\n"
@@ -92,7 +99,9 @@ Options parse(int argc, char** argv)
     else if (word == "--rotate") {
       options.has_rotation = true;
       options.rotation_seed = static_cast<unsigned int>(std::stoul(value(i)));
-    } else if (word == "--no-metrics")
+    } else if (word == "--noise")
+      options.noise = std::stod(value(i));
+    else if (word == "--no-metrics")
       options.with_metrics = false;
     else if (word == "--intersection-limit")
       options.intersection_limit = std::stoul(value(i));
@@ -119,13 +128,14 @@ Model read(const std::filesystem::path& file, const Options& options)
   Model model = read_model(file);
   if (options.has_rotation)
     transform(model, random_rotation(options.rotation_seed));
+  set_reference_normals(model);
+  add_noise(model, options.noise, NOISE_SEED);
   return model;
 }
 
 void measure_memory(const Options& options)
 {
-  Model model = read(options.paths.front(), options);
-  set_reference_normals(model);
+  const Model model = read(options.paths.front(), options);
   const Method& method = *options.methods.front();
   const Peak_memory memory;
   const Reconstruction result = method(model, options.threads);
@@ -149,13 +159,12 @@ Row describe(const Model& model, const std::string& method, const std::vector<Tr
 }
 
 // Runs the methods in turn, so that a disturbance of the machine hits all of them.
-void compare(Model model, const Options& options, Report& report)
+void compare(const Model& model, const Options& options, Report& report)
 {
   const std::size_t n = options.methods.size();
   std::vector<std::vector<double> > seconds(n);
   std::vector<std::vector<Triangle> > triangles(n);
   std::vector<std::string> failures(n);
-  set_reference_normals(model);
   for (std::size_t run = 0; run != options.runs; ++run)
     for (std::size_t m = 0; m != n; ++m) {
       try {

@@ -3,11 +3,13 @@
 #undef NDEBUG
 
 #include "models/Double_torus.h"
+#include "models/noise.h"
 #include "models/Polyhedron.h"
 #include "models/sampling.h"
 #include "models/Sphere.h"
 #include "models/Tube.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -53,8 +55,34 @@ void check(const Surface& surface, double offset)
   check_distances(surface, offset);
 }
 
+// Every coordinate moves by up to the share of the mean edge, which is 4 / 3 here, and some by almost as much.
+void check_noise()
+{
+  Model model;
+  for (int i = 0; i != 100; ++i) {
+    const std::size_t n = model.points.size();
+    model.triangles.push_back(Triangle{ { n, n + 1, n + 2 } });
+    for (const Point& p : { Point(0., 0., i), Point(1., 0., i), Point(0., 4. / 3., i) })
+      model.points.push_back(p);
+  }
+  assert(std::abs(mean_edge_length(model) - 4. / 3.) < 1e-12);
+  Model moved = model, again = model, other = model, same = model;
+  add_noise(moved, .3, 1);
+  add_noise(again, .3, 1);
+  add_noise(other, .3, 2);
+  add_noise(same, 0., 1);
+  assert(moved.points == again.points && moved.points != other.points);
+  assert(moved.triangles == model.triangles && same.points == model.points);
+  double most = 0.;
+  for (std::size_t i = 0; i != model.points.size(); ++i)
+    for (int axis = 0; axis != 3; ++axis)
+      most = (std::max)(most, std::abs(moved.points[i][axis] - model.points[i][axis]));
+  assert(most <= .4 && most > .39);
+}
+
 int main()
 {
+  check_noise();
   check(Sphere(), 0.3);
   check(Tube(trefoil, 0.4), 0.2);
   check(Tube(figure_eight_knot, 0.35), 0.15);
