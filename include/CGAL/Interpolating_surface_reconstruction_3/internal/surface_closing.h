@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Diagonal_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
@@ -84,6 +85,7 @@ public:
     remove_crossings();
     if (m_options.closes_all_loops()) {
       recover_corners();
+      reunite_components();
       join_components();
     }
     m_triangulation.clear(); // nothing needs it any more
@@ -175,6 +177,13 @@ private:
   {
     Corner_recovery<ConcurrencyTag, Builder> recover(m_points, m_octree, m_builder, m_triangulation);
     if (recover(m_progress))
+      m_unused = m_insert(m_progress);
+  }
+
+  void reunite_components()
+  {
+    Component_reunion<ConcurrencyTag, Builder> reunite(m_points, m_octree, m_builder, m_triangulation);
+    if (reunite(m_progress))
       m_unused = m_insert(m_progress);
   }
 

@@ -1,0 +1,241 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+// Winding numbers, normals that are made consistent with them, and components that they reunite.
+
+#include "isr_stage_test_utils.h"
+#include "isr_surface_test_utils.h"
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Normal_consistency.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Winding_number_fit.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/dipole_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+using namespace isr_test;
+using isr_internal::Cell_complex;
+using isr_internal::Component_contacts;
+using isr_internal::Component_reunion;
+using isr_internal::Dipole_view;
+using isr_internal::Kept_triangulation;
+using isr_internal::Local_point;
+using isr_internal::Local_vector;
+using isr_internal::Normal_consistency;
+using isr_internal::Point_octree_3;
+using isr_internal::Winding_number_fit;
+using isr_stage_test::Indexed_points;
+
+namespace {
+
+// Of the points of a sphere around the origin: outward.
+std::vector<Local_vector> sphere_areas(const std::vector<Local_point>& points)
+{
+  std::vector<Local_vector> result;
+  for (const Local_point& p : points)
+    result.push_back(4. * PI / double(points.size()) * (p - Local_point(0, 0, 0)));
+  return result;
+}
+
+std::vector<Point_index> all_indices(std::size_t n)
+{
+  std::vector<Point_index> result(n);
+  std::iota(result.begin(), result.end(), Point_index(0));
+  return result;
+}
+
+double largest_deviation(const std::vector<Local_vector>& areas, const std::vector<Local_vector>& from)
+{
+  double result = 0.;
+  for (std::size_t k = 0; k != areas.size(); ++k) {
+    const double cosine = areas[k] * from[k] / std::sqrt(areas[k].squared_length() * from[k].squared_length());
+    result = (std::max)(result, std::acos((std::max)(-1., (std::min)(1., cosine))));
+  }
+  return result * 180. / PI;
+}
+
+double sum_of_deviations(const std::vector<Local_vector>& areas, const std::vector<Local_vector>& from)
+{
+  double result = 0.;
+  for (std::size_t k = 0; k != areas.size(); ++k)
+    result += largest_deviation({ areas[k] }, { from[k] });
+  return result;
+}
+
+double winding_number(const std::vector<Local_point>& points, const std::vector<Local_vector>& areas,
+                      const Local_point& x)
+{
+  double result = 0.;
+  for (std::size_t k = 0; k != points.size(); ++k)
+    result += Dipole_view(points[k] - x, 0.).potential(areas[k]);
+  return result / (4. * PI);
+}
+
+void test_dipoles()
+{
+  begin_case("winding numbers of a sphere");
+  const std::vector<Local_point> points = isr_stage_test::sphere(2000, 0., 1);
+  const std::vector<Local_vector> areas = sphere_areas(points);
+  ISR_CHECK(std::abs(winding_number(points, areas, Local_point(0, 0, 0)) - 1.) < 1e-9);
+  ISR_CHECK(std::abs(winding_number(points, areas, Local_point(.5, .3, -.2)) - 1.) < 1e-3);
+  ISR_CHECK(std::abs(winding_number(points, areas, Local_point(1.2, .9, 0))) < 1e-3);
+
+  begin_case("the field is the slope of the potential");
+  const Local_vector area(.3, -.2, .5), to_dipole(.7, .4, -.6);
+  const double step = 1e-6, softening = .04;
+  const auto potential = [&](const Local_vector& d) { return Dipole_view(to_dipole + d, softening).potential(area); };
+  const Local_vector field = Dipole_view(to_dipole, softening).field(area);
+  ISR_CHECK(std::abs(field.x() -
+                     (potential(Local_vector(step, 0, 0)) - potential(Local_vector(-step, 0, 0))) / (2 * step)) < 1e-8);
+  ISR_CHECK(std::abs(field.y() -
+                     (potential(Local_vector(0, step, 0)) - potential(Local_vector(0, -step, 0))) / (2 * step)) < 1e-8);
+  ISR_CHECK(std::abs(field.z() -
+                     (potential(Local_vector(0, 0, step)) - potential(Local_vector(0, 0, -step))) / (2 * step)) < 1e-8);
+  ISR_CHECK(std::abs(Dipole_view(to_dipole, softening).direction() * area - potential(Local_vector(0, 0, 0))) < 1e-15);
+}
+
+void test_consistency()
+{
+  const std::vector<Local_point> points = isr_stage_test::sphere(600, .02, 2);
+  const Cell_complex cells(points, all_indices(points.size()));
+  const std::vector<Local_vector> right = sphere_areas(points);
+  isr_internal::No_cancellation never;
+  Normal_consistency make_consistent(points);
+
+  begin_case("consistent normals stay");
+  std::vector<Local_vector> areas = right;
+  make_consistent(cells, areas, never);
+  ISR_CHECK(largest_deviation(areas, right) < 10.);
+  for (std::size_t k = 0; k != areas.size(); ++k)
+    ISR_CHECK(std::abs(areas[k].squared_length() / right[k].squared_length() - 1.) < 1e-9);
+
+  begin_case("single normals turn to those around them");
+  areas = right;
+  for (std::size_t k = 0; k < areas.size(); k += 20)
+    areas[k] = Local_vector(areas[k].y(), areas[k].z(), areas[k].x());
+  const double before = largest_deviation(areas, right);
+  make_consistent(cells, areas, never);
+  ISR_CHECK(before > 80.);
+  ISR_CHECK(largest_deviation(areas, right) < .8 * before);
+
+  begin_case("all the other way round");
+  areas = right;
+  for (Local_vector& a : areas)
+    a = -a;
+  std::vector<Local_vector> turned = areas;
+  make_consistent(cells, turned, never);
+  ISR_CHECK(largest_deviation(turned, areas) < 10.);
+
+  begin_case("points without a surface");
+  areas.assign(points.size(), Local_vector(0, 0, 0));
+  make_consistent(cells, areas, never);
+  ISR_CHECK(std::all_of(areas.begin(), areas.end(), [](const Local_vector& a) { return a == Local_vector(0, 0, 0); }));
+}
+
+// A cap of a sphere whose normals are those of a lid below it: neighbors agree on it, the winding number does not.
+void test_fit()
+{
+  begin_case("a cap that faces down");
+  const Indexed_points sphere(isr_stage_test::sphere(600, .02, 3));
+  const std::vector<Local_vector> right = sphere_areas(sphere.points);
+  std::vector<Local_vector> areas = right;
+  std::vector<Point_index> doubts;
+  for (Point_index p = 0; p != areas.size(); ++p) {
+    if (sphere.points[p].z() > .8)
+      areas[p] = std::sqrt(areas[p].squared_length()) * Local_vector(.8, 0, -.6);
+    if (sphere.points[p].z() > .6)
+      doubts.push_back(p);
+  }
+  const std::vector<Local_vector> before = areas;
+  const std::vector<Point_index> all = all_indices(areas.size());
+  isr_internal::No_cancellation never;
+  Winding_number_fit(sphere.points, sphere.octree, all)(doubts, areas, never);
+  ISR_CHECK(largest_deviation(before, right) > 90.);
+  ISR_CHECK(sum_of_deviations(areas, right) < .5 * sum_of_deviations(before, right));
+  for (Point_index p = 0; p != areas.size(); ++p)
+    if (!std::binary_search(doubts.begin(), doubts.end(), p))
+      ISR_CHECK(areas[p] == before[p]);
+}
+
+// An ellipsoid, cut in two by caps: cells across z = `height` are outside.
+Triples cut_surface(const Hand_surface& s, double height)
+{
+  return surface_of_labels(s, [&](const Cell_complex::Cell& c) {
+    if (Cell_complex::is_infinite(c))
+      return 0;
+    const auto below = std::count_if(c.vertices.begin(), c.vertices.end(),
+                                     [&](Point_index p) { return s.cloud.positions()[p].z() < height; });
+    return below == 4 ? 1 : below == 0 ? 2 : 0;
+  });
+}
+
+bool reunite(Hand_surface& s)
+{
+  const Point_octree_3 octree(s.cloud.positions());
+  Kept_triangulation triangulation(s.cloud.positions());
+  return Component_reunion<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), octree, s.builder,
+                                                                        triangulation)(no_progress);
+}
+
+std::size_t number_of_components(Hand_surface& s)
+{
+  return Component_contacts(s.cloud.positions(), triangles_of(s, s.triangles())).size();
+}
+
+void test_reunion()
+{
+  begin_case("an end that is cut off");
+  Points points = sphere_fibonacci(300).points;
+  for (Point& p : points)
+    p = Point(.4 * p.x(), .4 * p.y(), 1.5 * p.z());
+  Hand_surface s(points);
+  const double low = s.cloud.positions()[s.indices.back()].z(), high = s.cloud.positions()[s.indices.front()].z();
+  const Triples before = cut_surface(s, (std::min)(low, high) + .7 * std::abs(high - low));
+  ISR_CHECK(s.add(before));
+  ISR_CHECK_EQUAL(number_of_components(s), 2u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(before), 4);
+  ISR_CHECK(reunite(s));
+  const Triples after = s.triangles();
+  ISR_CHECK(validation::is_oriented_manifold(points, after, Kernel()));
+  ISR_CHECK(validation::boundary_edges(after).empty());
+  ISR_CHECK_EQUAL(validation::used_points(after).size(), points.size());
+  ISR_CHECK_EQUAL(number_of_components(s), 1u);
+  ISR_CHECK_EQUAL(validation::euler_characteristic(after), 2);
+  ISR_CHECK(!reunite(s)); // nothing is left to do
+
+  begin_case("two bodies");
+  const double spacing = .2;
+  Mesh mesh = globe(12, 20);
+  append(mesh, globe(12, 20, Point(2. + spacing / 2, 0, 0)));
+  Hand_surface bodies(mesh.points);
+  ISR_CHECK(bodies.add(mesh.triples));
+  ISR_CHECK_EQUAL(number_of_components(bodies), 2u);
+  ISR_CHECK(!reunite(bodies));
+  ISR_CHECK(canonical(bodies.triangles()) == canonical(mesh.triples));
+}
+
+} // namespace
+
+int main()
+{
+  test_dipoles();
+  test_consistency();
+  test_fit();
+  test_reunion();
+  return result();
+}
