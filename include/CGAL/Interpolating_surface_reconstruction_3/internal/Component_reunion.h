@@ -88,8 +88,8 @@ private:
   // Around every point of a smaller component: two rings.
   static constexpr std::size_t NEIGHBORS_IN_DOUBT = 24;
 
-  // Pairs of a point and one in doubt: some tenths of a second.
-  static constexpr std::size_t MAXIMUM_PAIRS = std::size_t(1) << 21;
+  // Pairs of a point and one in doubt: a tenth of a second.
+  static constexpr std::size_t MAXIMUM_PAIRS = std::size_t(1) << 19;
 
   template <typename Progress, typename CancellationPoint>
   bool unite(const std::vector<Point_index>& group, const Component_contacts& contacts, Progress& progress,
