@@ -17,9 +17,9 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Dipole_view.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Winding_number_fit.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/dipole_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,21 +57,26 @@ std::vector<Point_index> all_indices(std::size_t n)
   return result;
 }
 
+// In degrees.
+double deviation(const Local_vector& a, const Local_vector& b)
+{
+  const double cosine = a * b / std::sqrt(a.squared_length() * b.squared_length());
+  return std::acos((std::max)(-1., (std::min)(1., cosine))) * 180. / PI;
+}
+
 double largest_deviation(const std::vector<Local_vector>& areas, const std::vector<Local_vector>& from)
 {
   double result = 0.;
-  for (std::size_t k = 0; k != areas.size(); ++k) {
-    const double cosine = areas[k] * from[k] / std::sqrt(areas[k].squared_length() * from[k].squared_length());
-    result = (std::max)(result, std::acos((std::max)(-1., (std::min)(1., cosine))));
-  }
-  return result * 180. / PI;
+  for (std::size_t k = 0; k != areas.size(); ++k)
+    result = (std::max)(result, deviation(areas[k], from[k]));
+  return result;
 }
 
 double sum_of_deviations(const std::vector<Local_vector>& areas, const std::vector<Local_vector>& from)
 {
   double result = 0.;
   for (std::size_t k = 0; k != areas.size(); ++k)
-    result += largest_deviation({ areas[k] }, { from[k] });
+    result += deviation(areas[k], from[k]);
   return result;
 }
 
@@ -179,11 +184,14 @@ void test_reunion()
   ISR_CHECK(!reunite(s)); // nothing is left to do
 
   begin_case("two bodies");
-  const double spacing = .2;
   Mesh mesh = globe(12, 20);
-  append(mesh, globe(12, 20, Point(2. + spacing / 2, 0, 0)));
+  append(mesh, globe(12, 20, Point(2.1, 0, 0)));
   Hand_surface bodies(mesh.points);
   ISR_CHECK(bodies.add(mesh.triples));
+  Component_contacts contacts(bodies.cloud.positions(), triangles_of(bodies, mesh.triples));
+  isr_internal::No_cancellation never;
+  contacts.find(Point_octree_3(bodies.cloud.positions()), never);
+  ISR_CHECK(!contacts.near().empty()); // so that they are tried
   ISR_CHECK_EQUAL(number_of_components(bodies), 2u);
   ISR_CHECK(!reunite(bodies));
   ISR_CHECK(canonical(bodies.triangles()) == canonical(mesh.triples));

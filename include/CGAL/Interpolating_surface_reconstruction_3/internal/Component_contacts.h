@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -58,6 +59,15 @@ public:
 
   bool is_on_surface(Point_index p) const { return m_longest_edges[component(p)] > 0.; }
 
+  // That with the most of the points.
+  Point_index largest_component(const std::vector<Point_index>& points) const
+  {
+    std::vector<std::size_t> sizes(m_points.size(), 0);
+    for (Point_index p : points)
+      ++sizes[component(p)];
+    return static_cast<Point_index>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  }
+
   // Whether two points of different components are no farther from each other than the ends of an edge of each.
   bool are_near(Point_index p, Point_index q) const
   {
@@ -71,7 +81,9 @@ public:
   {
     m_near.clear();
     m_groups = Parity_union_find(m_points.size());
-    const Point_index largest = largest_component();
+    std::vector<Point_index> all(m_points.size());
+    std::iota(all.begin(), all.end(), Point_index(0));
+    const Point_index largest = largest_component(all);
     Nearest_search search(m_points, octree);
     for (Point_index p = 0; p != m_points.size(); ++p) {
       if (component(p) == largest || !is_on_surface(p))
@@ -122,15 +134,6 @@ private:
   double distance(Point_index p, Point_index q) const
   {
     return std::sqrt((m_points[q] - m_points[p]).squared_length());
-  }
-
-  // That with the most points.
-  Point_index largest_component() const
-  {
-    std::vector<std::size_t> sizes(m_points.size(), 0);
-    for (Point_index p = 0; p != m_points.size(); ++p)
-      ++sizes[component(p)];
-    return static_cast<Point_index>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   }
 
   // The nearest point that is near and belongs to another component, if there is one.

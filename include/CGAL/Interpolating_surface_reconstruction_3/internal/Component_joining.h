@@ -18,14 +18,13 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Label_search.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Near_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_reproduction.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_rings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
@@ -33,7 +32,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -66,26 +64,19 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      Triangles triangles;
-      m_builder.for_each_triangle([&](const Triangle& t, auto) { triangles.push_back(t); });
-      Component_contacts contacts(m_points, triangles);
-      if (contacts.size() < 2)
+      Near_components<Builder> near(m_points, m_octree, m_builder, progress, cancellation_point);
+      if (near.groups().empty())
         return false;
-      contacts.find(m_octree, cancellation_point);
-      if (contacts.near().empty())
-        return false;
-      m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
-      m_is_free = mark_rings(m_builder, contacts.near(), FREE_RINGS, cancellation_point);
-      for (const std::vector<Point_index>& group : contacts.groups())
-        if (group.size() <= Kept_triangulation::MAXIMUM_POINTS)
-          is_changed = join(group, progress, cancellation_point) || is_changed;
+      m_is_free = mark_rings(m_builder, near.contacts().near(), FREE_RINGS, cancellation_point);
+      for (const std::vector<Point_index>& group : near.groups())
+        is_changed = join(group, near, progress, cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
     return is_changed;
   }
 
 private:
-  using Triangles = std::vector<Triangle>;
+  using Triangles = typename Near_components<Builder>::Triangles;
   using Cell_index = Cell_complex::Cell_index;
 
   // The most points beside triangles that are no facets, in parts of all: the labels would give another surface.
@@ -117,15 +108,14 @@ private:
 
   // Joins components of all these points, if no point is left out. Returns whether there are fewer then.
   template <typename Progress, typename CancellationPoint>
-  bool join(const std::vector<Point_index>& group, Progress& progress, CancellationPoint& cancellation_point)
+  bool join(const std::vector<Point_index>& group, Near_components<Builder>& near, Progress& progress,
+            CancellationPoint& cancellation_point)
   {
     const std::shared_ptr<const Cell_complex> kept = m_triangulation(group, cancellation_point);
     const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return false;
-    Triangles old;
-    std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
-                 [&](const Triangle& t) { return std::binary_search(group.begin(), group.end(), t[0]); });
+    const Triangles old = near.triangles(group);
     const std::vector<Local_vector> normals = vertex_normals(m_points, old);
     std::optional<Oriented_labelling> labelling = reproduce_surface<ConcurrencyTag>(
       cells, old, m_points, normals, group.size() / PART_IN_DOUBT, progress, cancellation_point);
@@ -134,11 +124,7 @@ private:
     build_bridges(cells, *labelling, cancellation_point);
     repair_labels(cells, *labelling, cancellation_point);
     Triangles joined = facets_between_labels(cells, *labelling, cancellation_point);
-    const Component_contacts before(m_points, old), after(m_points, joined);
-    const bool has_all = std::all_of(group.begin(), group.end(),
-                                     [&](Point_index p) { return after.is_on_surface(p) || !before.is_on_surface(p); });
-    return has_all && after.size() < before.size() &&
-           !exchange_triangles(m_builder, group, std::move(joined), cancellation_point).empty();
+    return near.exchange(group, old, std::move(joined), cancellation_point);
   }
 
   // The best ones first, and no two between the same components, which would make a handle.
@@ -228,7 +214,6 @@ private:
   const Point_octree_3& m_octree;
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
-  Triangles m_triangles;                // of the surface as it was, oriented
   std::vector<unsigned char> m_is_free; // of each point
 };
 

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Near_components.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_search.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Oriented_labelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
@@ -25,15 +26,12 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Winding_number_fit.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_labelling.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/vertex_normals.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -65,25 +63,16 @@ public:
     Cancellation_point<Progress> cancellation_point(progress);
     bool is_changed = false;
     try {
-      Triangles triangles;
-      m_builder.for_each_triangle([&](const Triangle& t, auto) { triangles.push_back(t); });
-      Component_contacts contacts(m_points, triangles);
-      if (contacts.size() < 2)
-        return false;
-      contacts.find(m_octree, cancellation_point);
-      if (contacts.near().empty())
-        return false;
-      m_triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
-      for (const std::vector<Point_index>& group : contacts.groups())
-        if (group.size() <= Kept_triangulation::MAXIMUM_POINTS)
-          is_changed = unite(group, contacts, progress, cancellation_point) || is_changed;
+      Near_components<Builder> near(m_points, m_octree, m_builder, progress, cancellation_point);
+      for (const std::vector<Point_index>& group : near.groups())
+        is_changed = unite(group, near, progress, cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
     return is_changed;
   }
 
 private:
-  using Triangles = std::vector<Triangle>;
+  using Triangles = typename Near_components<Builder>::Triangles;
 
   // Around every point of a smaller component: two rings.
   static constexpr std::size_t NEIGHBORS_IN_DOUBT = 24;
@@ -92,19 +81,17 @@ private:
   static constexpr std::size_t MAXIMUM_PAIRS = std::size_t(1) << 19;
 
   template <typename Progress, typename CancellationPoint>
-  bool unite(const std::vector<Point_index>& group, const Component_contacts& contacts, Progress& progress,
+  bool unite(const std::vector<Point_index>& group, Near_components<Builder>& near, Progress& progress,
              CancellationPoint& cancellation_point)
   {
-    const std::vector<Point_index> doubts = find_doubts(group, contacts, cancellation_point);
+    const std::vector<Point_index> doubts = find_doubts(group, near.contacts(), cancellation_point);
     if (doubts.empty() || doubts.size() > MAXIMUM_PAIRS / group.size())
       return false;
     const std::shared_ptr<const Cell_complex> kept = m_triangulation(group, cancellation_point);
     const Cell_complex& cells = *kept;
     if (cells.size() == 0)
       return false;
-    Triangles old;
-    std::copy_if(m_triangles.begin(), m_triangles.end(), std::back_inserter(old),
-                 [&](const Triangle& t) { return std::binary_search(group.begin(), group.end(), t[0]); });
+    const Triangles old = near.triangles(group);
     const std::vector<Local_vector> normals = fitted_normals(group, old, doubts, cancellation_point);
     std::vector<unsigned char> is_in_doubt(m_points.size(), 0);
     for (Point_index p : doubts)
@@ -114,11 +101,7 @@ private:
       label_by_sides<ConcurrencyTag>(cells, sides, m_points, normals, progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
     Triangles united = facets_between_labels(cells, labelling, cancellation_point);
-    const Component_contacts before(m_points, old), after(m_points, united);
-    const bool has_all = std::all_of(group.begin(), group.end(),
-                                     [&](Point_index p) { return after.is_on_surface(p) || !before.is_on_surface(p); });
-    return has_all && after.size() < before.size() &&
-           !exchange_triangles(m_builder, group, std::move(united), cancellation_point).empty();
+    return near.exchange(group, old, std::move(united), cancellation_point);
   }
 
   // The points of all components but the largest one, and the points near to them, increasing.
@@ -126,10 +109,7 @@ private:
   std::vector<Point_index> find_doubts(const std::vector<Point_index>& group, const Component_contacts& contacts,
                                        CancellationPoint& cancellation_point) const
   {
-    std::vector<std::size_t> sizes(m_points.size(), 0);
-    for (Point_index p : group)
-      ++sizes[contacts.component(p)];
-    const auto largest = static_cast<Point_index>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    const Point_index largest = contacts.largest_component(group);
     Nearest_search search(m_points, m_octree);
     std::vector<Point_index> result;
     for (Point_index p : group)
@@ -151,26 +131,18 @@ private:
                                            const std::vector<Point_index>& doubts,
                                            CancellationPoint& cancellation_point) const
   {
-    std::vector<Local_vector> areas(m_points.size(), Local_vector(0, 0, 0));
-    for (const Triangle& t : triangles) {
-      const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]) / 6.;
-      for (Point_index p : t)
-        areas[p] = areas[p] + n;
-    }
+    std::vector<Local_vector> areas = doubled_area_vectors(m_points, triangles);
+    for (Local_vector& area : areas)
+      area = area / 6.; // a third of half
     Winding_number_fit fit(m_points, m_octree, group);
     fit(doubts, areas, cancellation_point);
-    for (Local_vector& area : areas) {
-      const double length = std::sqrt(area.squared_length());
-      area = length > 0. && std::isfinite(length) ? area / length : Local_vector(0, 0, 0);
-    }
-    return areas;
+    return unit_vectors(std::move(areas));
   }
 
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
-  Triangles m_triangles; // of the surface as it was, oriented
 };
 
 } // namespace internal

@@ -9,28 +9,22 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_FIELD_H
-#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_FIELD_H
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_VIEW_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_VIEW_H
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// A sample of a surface with its area vector is a dipole: the winding number around a place is the sum of its potentials
-// there, times 1 / (4 pi), and falls along the normals. A sample is no point but a patch, so that the field close to
-// it is that of a patch of this part of the distance to its sixth neighbor, as a point of a triangle mesh has six on the
-// average. Measured: less than a fifth follows wrong neighbors, a half rounds creases off.
-constexpr double DIPOLE_SOFTENING = 1. / 4.;
-constexpr std::size_t DIPOLE_NEIGHBORS = 6;
-
-// What the place `to_dipole` away from a dipole sees of it; `softening` is the square of a length.
+// A sample of a surface with its area vector is a dipole: the winding number around a place is the sum of the potentials
+// there, times 1 / (4 pi), and falls along the normals. This is what the place sees of one that is `to_dipole` away from
+// it; `softening`, the square of a length, keeps that finite, as a sample is no point but a patch.
 class Dipole_view
 {
 public:
@@ -41,7 +35,7 @@ public:
 
   double potential(const Local_vector& area) const { return m_cubed * (area * m_to_dipole); }
 
-  // Of all area vectors with the same potential the shortest is that much along this vector.
+  // The gradient of the potential with respect to the area vector.
   Local_vector direction() const { return m_cubed * m_to_dipole; }
 
   // By what the potential falls from there on.
@@ -55,15 +49,8 @@ private:
   double m_squared, m_cubed; // of the inverse of the distance
 };
 
-// The area vector turned to the field, unless points are so near to each other that the field is no number.
-inline Local_vector turned_to_field(const Local_vector& area, const Local_vector& field)
-{
-  const double length = std::sqrt(field.squared_length());
-  return length > 0. && std::isfinite(length) ? std::sqrt(area.squared_length()) / length * field : area;
-}
-
 } // namespace internal
 } // namespace Interpolating_surface_reconstruction_3
 } // namespace CGAL
 
-#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_FIELD_H
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_DIPOLE_VIEW_H
