@@ -66,8 +66,8 @@ Points extruded(const Profile& profile, double height, double spacing)
 
 void test_part(const std::string& name, const Points& points, long euler_characteristic, std::size_t components = 1)
 {
-  for (double angle : { 0., .7 }) {
-    begin_case(name + (angle == 0. ? "" : ", rotated"));
+  for (double angle : { 0., .7, 1.9, 2.6 }) {
+    begin_case(name + (angle == 0. ? "" : ", rotated by " + std::to_string(angle)));
     const Points placed = rotated(points, angle);
     for (const Triples& triples : { checked_ctc(placed), checked_pcr(placed) }) {
       ISR_CHECK_EQUAL(validation::boundary_edges(triples).size(), 0u);
@@ -114,6 +114,14 @@ void test_milled_parts(double spacing)
       append(points, ring(Vector(x, 1.5, z), .5, spacing));
     return points;
   };
+  const auto flange = [&](double z) {
+    Points points = ring(z * up, 3., spacing);
+    append(points, ring(z * up, .6, spacing));
+    for (int i = 0; i != 5; ++i)
+      append(points, ring(Vector(2. * std::cos(2. * PI * i / 5.), 2. * std::sin(2. * PI * i / 5.), z), .4, spacing));
+    return points;
+  };
+  test_part("flange with bolt holes" + with, extruded(flange, 1., spacing), -10);
   for (double height : { .6, 2. })
     test_part("plate with three holes" + with, extruded(plate, height, spacing), -4);
   Points boss = extruded(square, 1., spacing);
@@ -123,7 +131,7 @@ void test_milled_parts(double spacing)
 
 int main()
 {
-  for (double spacing : { .1, .2 }) {
+  for (double spacing : { .1, .13, .2 }) {
     test_turned_parts(spacing);
     test_milled_parts(spacing);
   }

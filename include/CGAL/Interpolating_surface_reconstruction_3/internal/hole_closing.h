@@ -159,7 +159,7 @@ private:
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
   bool fill_and_widen(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
-    fill_faces_with_holes(is_boundary, cancellation_point, on_verdict);
+    fill_flat_faces(is_boundary, cancellation_point, on_verdict);
     for (std::size_t round = 0; round != MAXIMUM_ROUNDS; ++round) {
       const std::vector<Boundary_loop> failed = fill_loops(is_boundary, cancellation_point, on_verdict);
       const bool is_single = remove_smaller_fans(cancellation_point);
@@ -176,14 +176,11 @@ private:
   }
 
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
-  void fill_faces_with_holes(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
+  void fill_flat_faces(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
-    std::vector<Boundary_loop> loops = Boundary_loops<Builder>(m_points, m_builder)(cancellation_point);
-    loops.erase(std::remove_if(loops.begin(), loops.end(),
-                               [&](const Boundary_loop& l) { return l.size() > m_maximum_size || is_boundary(l); }),
-                loops.end());
     Face_filler<Builder> fill_faces(m_points, m_builder);
-    fill_faces(loops, on_verdict, cancellation_point);
+    fill_faces([&](const Boundary_loop& l) { return l.size() > m_maximum_size || is_boundary(l); }, on_verdict,
+               cancellation_point);
   }
 
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
