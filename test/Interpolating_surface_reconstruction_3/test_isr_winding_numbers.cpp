@@ -9,7 +9,7 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-// Winding numbers, normals that are fitted to them, and components that they reunite.
+// Winding numbers, normals that are made consistent with them, and components that they reunite.
 
 #include "isr_stage_test_utils.h"
 #include "isr_surface_test_utils.h"
@@ -19,6 +19,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Dipole_view.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Normal_consistency.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Winding_number_fit.h>
 
 #include <algorithm>
@@ -35,6 +36,7 @@ using isr_internal::Dipole_view;
 using isr_internal::Kept_triangulation;
 using isr_internal::Local_point;
 using isr_internal::Local_vector;
+using isr_internal::Normal_consistency;
 using isr_internal::Point_octree_3;
 using isr_internal::Winding_number_fit;
 using isr_stage_test::Indexed_points;
@@ -110,6 +112,44 @@ void test_dipoles()
   ISR_CHECK(std::abs(field.z() -
                      (potential(Local_vector(0, 0, step)) - potential(Local_vector(0, 0, -step))) / (2 * step)) < 1e-8);
   ISR_CHECK(std::abs(Dipole_view(to_dipole, softening).direction() * area - potential(Local_vector(0, 0, 0))) < 1e-15);
+}
+
+void test_consistency()
+{
+  const std::vector<Local_point> points = isr_stage_test::sphere(600, .02, 2);
+  const Cell_complex cells(points, all_indices(points.size()));
+  const std::vector<Local_vector> right = sphere_areas(points);
+  isr_internal::No_cancellation never;
+  Normal_consistency make_consistent(points);
+
+  begin_case("consistent normals stay");
+  std::vector<Local_vector> areas = right;
+  make_consistent(cells, areas, never);
+  ISR_CHECK(largest_deviation(areas, right) < 10.);
+  for (std::size_t k = 0; k != areas.size(); ++k)
+    ISR_CHECK(std::abs(areas[k].squared_length() / right[k].squared_length() - 1.) < 1e-9);
+
+  begin_case("single normals turn to those around them");
+  areas = right;
+  for (std::size_t k = 0; k < areas.size(); k += 20)
+    areas[k] = Local_vector(areas[k].y(), areas[k].z(), areas[k].x());
+  const double before = largest_deviation(areas, right);
+  make_consistent(cells, areas, never);
+  ISR_CHECK(before > 80.);
+  ISR_CHECK(largest_deviation(areas, right) < .8 * before);
+
+  begin_case("all the other way round");
+  areas = right;
+  for (Local_vector& a : areas)
+    a = -a;
+  std::vector<Local_vector> turned = areas;
+  make_consistent(cells, turned, never);
+  ISR_CHECK(largest_deviation(turned, areas) < 10.);
+
+  begin_case("points without a surface");
+  areas.assign(points.size(), Local_vector(0, 0, 0));
+  make_consistent(cells, areas, never);
+  ISR_CHECK(std::all_of(areas.begin(), areas.end(), [](const Local_vector& a) { return a == Local_vector(0, 0, 0); }));
 }
 
 // A cap of a sphere whose normals are those of a lid below it: neighbors agree on it, the winding number does not.
@@ -202,6 +242,7 @@ void test_reunion()
 int main()
 {
   test_dipoles();
+  test_consistency();
   test_fit();
   test_reunion();
   return result();

@@ -60,11 +60,6 @@ private:
   // Measured: thirty join other parts, and no more of them.
   static constexpr int ROUNDS = 10;
 
-  // Close to a sample the field is that of a patch of this part of the distance to its sixth neighbor: a point of a
-  // triangle mesh has six on the average.
-  static constexpr double SOFTENING = 1. / 4.;
-  static constexpr std::size_t NEIGHBORS = 6;
-
   static constexpr double FOUR_PI = 12.5663706143591729538;
 
   void find_softenings(const std::vector<Point_index>& doubts)
@@ -72,8 +67,8 @@ private:
     Nearest_search search(m_points, m_octree);
     m_softenings.clear();
     for (Point_index p : doubts) {
-      const auto& nearest = search(p, NEIGHBORS, std::numeric_limits<double>::infinity());
-      m_softenings.push_back(SOFTENING * SOFTENING * nearest.back().first);
+      const auto& nearest = search(p, DIPOLE_NEIGHBORS, std::numeric_limits<double>::infinity());
+      m_softenings.push_back(DIPOLE_SOFTENING * DIPOLE_SOFTENING * nearest.back().first);
     }
   }
 
@@ -126,13 +121,8 @@ private:
         cancellation_point();
         m_steps[k] = m_steps[k] + view(doubts[k], q, m_softenings[k]).field(areas[q]);
       }
-    for (std::size_t k = 0; k != doubts.size(); ++k) {
-      Local_vector& area = areas[doubts[k]];
-      const double length = std::sqrt(m_steps[k].squared_length());
-      // Not where points are so near to each other that the field is no number.
-      if (length > 0. && std::isfinite(length))
-        area = std::sqrt(area.squared_length()) / length * m_steps[k];
-    }
+    for (std::size_t k = 0; k != doubts.size(); ++k)
+      areas[doubts[k]] = turned_to_field(areas[doubts[k]], m_steps[k]);
   }
 
   const std::vector<Local_point>& m_points;
