@@ -378,7 +378,7 @@ private:
       return Face{ {}, false };
     flood(triangulation);
     if (std::any_of(vertices.begin(), vertices.end(),
-                    [&](Vertex_handle v) { return is_apart_in_hole(v, triangulation); }))
+                    [&](Vertex_handle vertex) { return is_apart_in_hole(vertex, triangulation); }))
       return Face{ {}, false };
     Face result{ {}, false };
     for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
