@@ -92,9 +92,12 @@ private:
     const std::vector<Triangle> removed = find_removable(plane, cancellation_point);
     for (const Triangle& t : removed)
       m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
-    const Flat_face face =
-      m_triangulate(plane, find_rims(plane, stays_open, cancellation_point), loose_points(removed), cancellation_point);
-    if ((!face.has_holes && removed.empty()) || !attach(face, on_verdict, cancellation_point))
+    bool has_long_gap = false;
+    const std::vector<Boundary_loop> rims = find_rims(plane, stays_open, has_long_gap, cancellation_point);
+    const Flat_face face = m_triangulate(plane, rims, loose_points(removed), cancellation_point);
+    // Without holes, it may be a lid of a sheet.
+    const bool is_certain = face.has_holes || !(removed.empty() || has_long_gap);
+    if (!is_certain || !attach(face, on_verdict, cancellation_point))
       for (const Triangle& t : removed)
         m_builder.restore(t);
   }
@@ -198,9 +201,9 @@ private:
     return result;
   }
 
-  // The boundary loops in the plane; none if one of them stays open.
+  // The rims of the boundary loops in the plane; none if one of them stays open. Tells whether one has a long gap.
   template <typename StaysOpen, typename CancellationPoint>
-  std::vector<Boundary_loop> find_rims(const Face_plane& plane, const StaysOpen& stays_open,
+  std::vector<Boundary_loop> find_rims(const Face_plane& plane, const StaysOpen& stays_open, bool& has_long_gap,
                                        CancellationPoint& cancellation_point) const
   {
     std::vector<Boundary_loop> result;
@@ -208,6 +211,7 @@ private:
       std::vector<Boundary_loop> rims = m_rims(loop, plane);
       if (!rims.empty() && stays_open(loop))
         return {};
+      has_long_gap = has_long_gap || (!rims.empty() && m_rims.has_long_gap(loop, plane));
       std::move(rims.begin(), rims.end(), std::back_inserter(result));
     }
     return result;

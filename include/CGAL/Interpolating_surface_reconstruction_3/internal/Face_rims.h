@@ -71,21 +71,22 @@ public:
     return result;
   }
 
+  // Whether what the face leaves of the loop, in gaps of the wall, is more than a gap between triangles.
+  bool has_long_gap(const Boundary_loop& loop, const Face_plane& plane) const
+  {
+    return find_gaps(loop, plane).longest + 2 >= MINIMUM_OUTER_SIZE; // two of the points are in the plane
+  }
+
   // The cycles of the loop in the plane: without points beside it, where the wall below has gaps, and apart from each other
   // where they pinch, without small ones, which are gaps, too. None if gaps are many, or if edges of the cycles are in the
   // surface already.
   std::vector<Boundary_loop> operator()(const Boundary_loop& loop, const Face_plane& plane) const
   {
     constexpr std::size_t POINTS_PER_GAP = 4;
-    const std::size_t n = loop.size();
-    std::size_t gaps = 0, in_plane = 0;
-    for (std::size_t i = 0; i != n; ++i)
-      if (is_in_plane(loop[i], plane))
-        ++in_plane;
-      else
-        gaps += is_in_plane(loop[(i + 1) % n], plane) ? 1u : 0u;
-    if (in_plane < 3 || in_plane < POINTS_PER_GAP * gaps)
+    const Gaps gaps = find_gaps(loop, plane);
+    if (gaps.points_in_plane < 3 || gaps.points_in_plane < POINTS_PER_GAP * gaps.number)
       return {};
+    const std::size_t n = loop.size();
     std::vector<Boundary_loop> rims;
     Boundary_loop rim;
     const std::vector<Point_index> pinches = repeated(loop);
@@ -138,6 +139,29 @@ public:
 private:
   // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
   static constexpr double FLATNESS = .125;
+
+  struct Gaps
+  {
+    std::size_t points_in_plane, number, longest;
+  };
+
+  Gaps find_gaps(const Boundary_loop& loop, const Face_plane& plane) const
+  {
+    const std::size_t n = loop.size();
+    const std::size_t first = static_cast<std::size_t>(
+      std::find_if(loop.begin(), loop.end(), [&](Point_index p) { return is_in_plane(p, plane); }) - loop.begin());
+    Gaps result{ 0, 0, 0 };
+    std::size_t length = 0;
+    for (std::size_t i = first; i != first + n; ++i)
+      if (is_in_plane(loop[i % n], plane)) {
+        ++result.points_in_plane;
+        length = 0;
+      } else {
+        result.number += length == 0 ? 1u : 0u;
+        result.longest = (std::max)(result.longest, ++length);
+      }
+    return result;
+  }
 
   static std::vector<Point_index> repeated(Boundary_loop loop)
   {
