@@ -1,15 +1,16 @@
 #!/usr/bin/python3
-"""Samples of the manual's section "How Well Does It Work" that no model gives: rows of points, and openings.
+"""Samples of the manual's section "How Well Does It Work" that no model gives: rows of points, openings, and parts.
 
 usage: quality_samples.py rows FOLDER [RATIO...]
        quality_samples.py openings FOLDER
+       quality_samples.py parts FOLDER
        quality_samples.py count FILE.csv...
 
 rows writes samples of tori, a sphere and a terrain in rows RATIO times (3, 5, 10, 20, 40) as far from each other as the
 points in them: as in a grid, with each row shifted, and with each point moved in its row. openings writes spheres
-whose top is cut off, with noise. count tells how many of them a method got right, from `isr_compare --runs 1 --csv
-FILE.csv --method METHOD FOLDER`: one component with the Euler characteristic of the surface and, of the
-openings, one loop."""
+whose top is cut off, with noise. parts writes milled parts with points on their walls only, in random rotations.
+count tells how many of them a method got right, from `isr_compare --runs 1 --csv FILE.csv --method METHOD FOLDER`: one
+component with the Euler characteristic of the surface and, of the openings, one loop."""
 
 import csv
 import math
@@ -19,7 +20,8 @@ import sys
 
 RATIOS = [3, 5, 10, 20, 40]
 ROWS = {"torus-across": 32, "torus-along": 20, "sphere": 20, "terrain": 25}
-EULER = {"torus-across": "0", "torus-along": "0", "sphere": "2", "terrain": "1", "opening": "1"}
+EULER = {"torus-across": "0", "torus-along": "0", "sphere": "2", "terrain": "1", "opening": "1", "block": "2",
+         "frame": "0", "plate": "0", "three-holes": "-4", "flange": "-10"}
 KINDS = ["grid", "shifted", "moved"]
 
 # Of the spacing, to either side: the order of the points in a row stays.
@@ -83,6 +85,52 @@ def opening(number, height, noise, generator):
     return points
 
 
+def number_of(length, spacing):
+    return max(1, round(length / spacing))
+
+
+def circle(x, y, radius, spacing):
+    number = number_of(2 * math.pi * radius, spacing)
+    return [(x + radius * math.cos(2 * math.pi * i / number), y + radius * math.sin(2 * math.pi * i / number))
+            for i in range(number)]
+
+
+def rectangle(x, y, width, depth, spacing):
+    across, along = number_of(width, spacing), number_of(depth, spacing)
+    right = [width * i / across for i in range(across)]
+    up = [depth * i / along for i in range(along)]
+    return ([(x + d, y) for d in right] + [(x + width - d, y + depth) for d in right] +
+            [(x + width, y + d) for d in up] + [(x, y + depth - d) for d in up])
+
+
+def profiles(spacing):
+    """Of the parts: the edges of their two faces."""
+    square, long = rectangle(0, 0, 3, 3, spacing), rectangle(0, 0, 6, 3, spacing)
+    bolts = [circle(2 * math.cos(2 * math.pi * i / 5), 2 * math.sin(2 * math.pi * i / 5), .4, spacing)
+             for i in range(5)]
+    return {
+        "block": square,
+        "frame": square + rectangle(.5, .5, 2, 2, spacing),
+        "plate": square + circle(1.5, 1.5, .7, spacing),
+        "three-holes": long + sum((circle(x, 1.5, .5, spacing) for x in (1.2, 3, 4.8)), []),
+        "flange": circle(0, 0, 3, spacing) + circle(0, 0, .6, spacing) + sum(bolts, []),
+    }
+
+
+def random_rotation(generator):
+    w, x, y, z = (generator.gauss(0, 1) for _ in range(4))
+    norm = w * w + x * x + y * y + z * z
+    return [[1 - 2 * (y * y + z * z) / norm, 2 * (x * y - z * w) / norm, 2 * (x * z + y * w) / norm],
+            [2 * (x * y + z * w) / norm, 1 - 2 * (x * x + z * z) / norm, 2 * (y * z - x * w) / norm],
+            [2 * (x * z - y * w) / norm, 2 * (y * z + x * w) / norm, 1 - 2 * (x * x + y * y) / norm]]
+
+
+def part(profile, height, spacing, rotation):
+    layers = number_of(height, spacing)
+    points = [(x, y, height * i / layers) for i in range(layers + 1) for x, y in profile]
+    return [[sum(a * b for a, b in zip(row, p)) for row in rotation] for p in points]
+
+
 def write(folder, name, points):
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, name + ".xyz"), "w") as file:
@@ -104,6 +152,16 @@ def write_openings(folder):
         for height in (0, .6, .8, .95):
             for noise in (0, .1, .3):
                 write(folder, "opening_%d_%g_%g" % (number, height, noise), opening(number, height, noise, generator))
+
+
+def write_parts(folder):
+    generator = random.Random(1)
+    for spacing in (.1, .13, .2, .27):
+        for name, profile in profiles(spacing).items():
+            for height in (.6, 1, 2):
+                for time in range(3):
+                    write(folder, "%s_%g_%g_%d" % (name, spacing, height, time),
+                          part(profile, height, spacing, random_rotation(generator)))
 
 
 def is_right(row):
@@ -130,6 +188,8 @@ def main():
         write_rows(words[1], [int(word) for word in words[2:]] or RATIOS)
     elif len(words) == 2 and words[0] == "openings":
         write_openings(words[1])
+    elif len(words) == 2 and words[0] == "parts":
+        write_parts(words[1])
     elif len(words) >= 2 and words[0] == "count":
         for file in words[1:]:
             count(file)
