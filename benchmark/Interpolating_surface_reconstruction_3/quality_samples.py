@@ -4,12 +4,13 @@
 usage: quality_samples.py rows FOLDER [RATIO...]
        quality_samples.py openings FOLDER
        quality_samples.py parts FOLDER
+       quality_samples.py edges FOLDER
        quality_samples.py count FILE.csv...
 
 rows writes samples of tori, a sphere and a terrain in rows RATIO times (3, 5, 10, 20, 40) as far from each other as the
 points in them: as in a grid, with each row shifted, and with each point moved in its row. openings writes spheres
-whose top is cut off, with noise. parts writes milled parts with points on their walls only, in random rotations.
-count tells how many of them a method got right, from `isr_compare --runs 1 --csv FILE.csv --method METHOD FOLDER`: one
+whose top is cut off, with noise. parts writes milled parts with points on their walls only, in random rotations, and
+edges those with points on the edges of their two faces only. count tells how many of them a method got right, from `isr_compare --runs 1 --csv FILE.csv --method METHOD FOLDER`: one
 component with the Euler characteristic of the surface and, of the openings, one loop."""
 
 import csv
@@ -125,8 +126,7 @@ def random_rotation(generator):
             [2 * (x * z - y * w) / norm, 2 * (y * z + x * w) / norm, 1 - 2 * (x * x + y * y) / norm]]
 
 
-def part(profile, height, spacing, rotation):
-    layers = number_of(height, spacing)
+def part(profile, height, layers, rotation):
     points = [(x, y, height * i / layers) for i in range(layers + 1) for x, y in profile]
     return [[sum(a * b for a, b in zip(row, p)) for row in rotation] for p in points]
 
@@ -154,14 +154,15 @@ def write_openings(folder):
                 write(folder, "opening_%d_%g_%g" % (number, height, noise), opening(number, height, noise, generator))
 
 
-def write_parts(folder):
+def write_parts(folder, is_wall_sampled):
     generator = random.Random(1)
     for spacing in (.1, .13, .2, .27):
         for name, profile in profiles(spacing).items():
             for height in (.6, 1, 2):
+                layers = number_of(height, spacing) if is_wall_sampled else 1
                 for time in range(3):
                     write(folder, "%s_%g_%g_%d" % (name, spacing, height, time),
-                          part(profile, height, spacing, random_rotation(generator)))
+                          part(profile, height, layers, random_rotation(generator)))
 
 
 def is_right(row):
@@ -188,8 +189,8 @@ def main():
         write_rows(words[1], [int(word) for word in words[2:]] or RATIOS)
     elif len(words) == 2 and words[0] == "openings":
         write_openings(words[1])
-    elif len(words) == 2 and words[0] == "parts":
-        write_parts(words[1])
+    elif len(words) == 2 and words[0] in ("parts", "edges"):
+        write_parts(words[1], words[0] == "parts")
     elif len(words) >= 2 and words[0] == "count":
         for file in words[1:]:
             count(file)

@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Face_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 
@@ -32,6 +33,13 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
+// Which faces are filled.
+enum class Face_selection
+{
+  ALL,
+  EXACT_WITH_HOLES // those that only rounding keeps from being in a plane, of which several loops are the rims
+};
+
 // Fills boundary loops together that lie in one plane: the flat faces of a part, with holes or without, have points at
 // the walls only, and a face filled inside of each loop would lie on others. What is inside of an odd number of rims of
 // walls is filled, by the constrained Delaunay triangulation in the plane. What lies in the plane already, between points
@@ -40,8 +48,10 @@ template <typename Builder>
 class Face_filler
 {
 public:
-  Face_filler(const std::vector<Local_point>& points, Builder& builder)
-    : m_points(points), m_builder(builder), m_rims(points, builder), m_triangulate(points)
+  Face_filler(const std::vector<Local_point>& points, Builder& builder, Face_selection selection)
+    : m_points(points), m_builder(builder), m_needs_holes(selection == Face_selection::EXACT_WITH_HOLES),
+      m_rims(points, builder, m_needs_holes ? ROUNDING_OF_FIVE_DIGITS : Face_rims<Builder>::FLATNESS),
+      m_triangulate(points)
   { }
 
   // Leaves loops for which stays_open(loop) holds, faces without holes in whose plane nothing lies, which are simple, and
@@ -96,7 +106,7 @@ private:
     const std::vector<Boundary_loop> rims = find_rims(plane, stays_open, has_long_gap, cancellation_point);
     const Flat_face face = m_triangulate(plane, rims, loose_points(removed), cancellation_point);
     // Without holes, it may be a lid of a sheet.
-    const bool is_certain = face.has_holes || !(removed.empty() || has_long_gap);
+    const bool is_certain = face.has_holes || !(m_needs_holes || removed.empty() || has_long_gap);
     if (!is_certain || !attach(face, on_verdict, cancellation_point))
       for (const Triangle& t : removed)
         m_builder.restore(t);
@@ -242,6 +252,7 @@ private:
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
+  const bool m_needs_holes;
   const Face_rims<Builder> m_rims;
   const Face_triangulation m_triangulate;
 };

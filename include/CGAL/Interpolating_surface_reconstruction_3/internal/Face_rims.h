@@ -47,7 +47,12 @@ public:
   // A face with a hole in it has more edges around it than gaps between triangles have, which are many.
   static constexpr std::size_t MINIMUM_OUTER_SIZE = 6;
 
-  Face_rims(const std::vector<Local_point>& points, const Builder& builder) : m_points(points), m_builder(builder) { }
+  // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
+  static constexpr double FLATNESS = .125;
+
+  Face_rims(const std::vector<Local_point>& points, const Builder& builder, double flatness)
+    : m_points(points), m_builder(builder), m_flatness(flatness)
+  { }
 
   // That of the loop, if it is a rim.
   std::optional<Face_plane> plane(const Boundary_loop& loop) const
@@ -119,7 +124,7 @@ public:
 
   bool is_in_plane(Point_index p, const Face_plane& plane) const
   {
-    return std::abs(plane.normal * (m_points[p] - plane.origin)) <= FLATNESS * plane.mean_edge;
+    return std::abs(plane.normal * (m_points[p] - plane.origin)) <= m_flatness * plane.mean_edge;
   }
 
   // Triangles of a low wall are not, but thin ones of points on a line are, whose normal is that of rounding errors.
@@ -128,7 +133,7 @@ public:
     double height = 0.;
     for (Point_index p : t) {
       height = (std::max)(height, std::abs(plane.normal * (m_points[p] - plane.origin)));
-      if (height > FLATNESS * plane.mean_edge)
+      if (height > m_flatness * plane.mean_edge)
         return false;
     }
     const Local_vector n = cross_product(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
@@ -137,9 +142,6 @@ public:
   }
 
 private:
-  // How far the points of a loop may be from its plane, in its mean edges: a loop on a curved surface is no face.
-  static constexpr double FLATNESS = .125;
-
   struct Gaps
   {
     std::size_t points_in_plane, number, longest;
@@ -175,6 +177,7 @@ private:
 
   const std::vector<Local_point>& m_points;
   const Builder& m_builder;
+  const double m_flatness;
 };
 
 } // namespace internal

@@ -28,6 +28,9 @@ namespace internal {
 // How far points may be from their plane because files tell coordinates with six digits, in mean edges of their outline.
 constexpr double ROUNDING_OF_SIX_DIGITS = 1e-4;
 
+// The same of a flat face, with five digits: nothing but rounding moves its points out of its plane.
+constexpr double ROUNDING_OF_FIVE_DIGITS = 1e-3;
+
 // Whether the points lie in one plane but for the rounding of their coordinates, which turned what was
 // one plane into a slab that is thinner than any shape in double precision.
 inline bool is_flat_up_to_rounding(const std::vector<Local_point>& points)

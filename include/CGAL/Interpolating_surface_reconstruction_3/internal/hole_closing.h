@@ -137,6 +137,19 @@ public:
     }
   }
 
+  // Closes flat faces with holes in them: labels, which are to come, would put triangles where the faces should be. Ends
+  // early if cancelled.
+  template <typename Progress, typename OnVerdict>
+  void close_faces_with_holes(Progress& progress, OnVerdict on_verdict)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      Face_filler<Builder> fill_faces(m_points, m_builder, Face_selection::EXACT_WITH_HOLES);
+      fill_faces([](const Boundary_loop&) { return false; }, on_verdict, cancellation_point);
+    } catch (const Cancelled&) {
+    }
+  }
+
 private:
   // Two crossing diagonals leave a loop of 4; a conflict that leaves more than two such is not simple.
   static constexpr std::size_t MAXIMUM_PLANAR_SIZE = 8;
@@ -178,7 +191,7 @@ private:
   template <typename IsBoundary, typename CancellationPoint, typename OnVerdict>
   void fill_flat_faces(const IsBoundary& is_boundary, CancellationPoint& cancellation_point, OnVerdict on_verdict)
   {
-    Face_filler<Builder> fill_faces(m_points, m_builder);
+    Face_filler<Builder> fill_faces(m_points, m_builder, Face_selection::ALL);
     fill_faces([&](const Boundary_loop& l) { return l.size() > m_maximum_size || is_boundary(l); }, on_verdict,
                cancellation_point);
   }

@@ -108,6 +108,8 @@ public:
     };
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
     close.close_planar_loops(m_progress, on_verdict);
+    if (closing_options().closes_all_loops())
+      close.close_faces_with_holes(m_progress, on_verdict);
     Conflict_completion<ConcurrencyTag, Builder> complete(m_cloud.positions(), octree, maximum_radius(), builder);
     complete(m_progress, on_verdict, m_triangulation);
     m_progress.end_stage(attached);

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Bore_opening.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
@@ -84,6 +85,7 @@ public:
     insert_points();
     remove_crossings();
     if (m_options.closes_all_loops()) {
+      open_bores();
       recover_corners();
       reunite_components();
       join_components();
@@ -171,6 +173,12 @@ private:
         break;
       crossings = remove.number_of_crossings();
     }
+  }
+
+  void open_bores()
+  {
+    Bore_opening<Builder> open(m_points, m_builder);
+    open(m_progress);
   }
 
   void recover_corners()

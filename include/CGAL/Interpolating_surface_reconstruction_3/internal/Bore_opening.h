@@ -1,0 +1,205 @@
+// Copyright (c) 2026  The authors of Interpolating_surface_reconstruction_3.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s) : The authors of Interpolating_surface_reconstruction_3
+
+#ifndef CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_BORE_OPENING_H
+#define CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_BORE_OPENING_H
+
+#include <CGAL/license/Interpolating_surface_reconstruction_3.h>
+
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Flat_caps.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Interpolating_surface_reconstruction_3 {
+namespace internal {
+
+// Opens bores that are closed by flat caps at both ends (see Flat_caps), as where they have points on their rims only:
+// stars may even agree on these caps. Two of them that turn their backs to each other are exchanged for the wall between
+// them, that of their convex hull, if the surface stays closed and the wall crosses nothing.
+template <typename Builder>
+class Bore_opening
+{
+public:
+  using Triangle = typename Builder::Triangle;
+
+  Bore_opening(const std::vector<Local_point>& points, Builder& builder) : m_points(points), m_builder(builder) { }
+
+  // For a closed surface; ends early if cancelled.
+  template <typename Progress>
+  void operator()(Progress& progress)
+  {
+    Cancellation_point<Progress> cancellation_point(progress);
+    try {
+      Triangles triangles;
+      m_builder.for_each_triangle([&](const Triangle& t, auto) { triangles.push_back(t); });
+      if (Flat_caps(m_points, triangles).caps().size() < 2)
+        return;
+      triangles = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
+      const Flat_caps flat(m_points, triangles);
+      if (flat.caps().size() <= MAXIMUM_CAPS)
+        open_pairs(flat.caps(), cancellation_point);
+    } catch (const Cancelled&) {
+    }
+  }
+
+private:
+  using Triangles = std::vector<Triangle>;
+  using Cap = Flat_caps::Cap;
+
+  // All pairs of them are looked at.
+  static constexpr std::size_t MAXIMUM_CAPS = 4096;
+
+  struct Pair
+  {
+    double squared_distance;
+    std::size_t first, second;
+    bool operator<(const Pair& other) const
+    {
+      return std::tie(squared_distance, first, second) < std::tie(other.squared_distance, other.first, other.second);
+    }
+  };
+
+  // What has taken the place of two caps.
+  struct Bore
+  {
+    Triangles caps, wall;
+  };
+
+  template <typename CancellationPoint>
+  void open_pairs(const std::vector<Cap>& caps, CancellationPoint& cancellation_point)
+  {
+    const auto next = static_cast<typename Builder::Triangle_index>(m_builder.number_of_stored_triangles());
+    std::vector<unsigned char> is_open(caps.size(), 0);
+    std::vector<Bore> bores;
+    for (const Pair& pair : find_pairs(caps, cancellation_point))
+      if (is_open[pair.first] == 0 && is_open[pair.second] == 0 &&
+          open(caps[pair.first], caps[pair.second], bores, cancellation_point))
+        is_open[pair.first] = is_open[pair.second] = 1;
+    Triangles crossing;
+    Surface_crossings<Builder>(m_points, m_builder)
+      .for_each(
+        next, [](const Triangle&) { return true; },
+        [&](const Triangle& t, const Triangle&) { crossing.push_back(t); }, cancellation_point);
+    std::sort(crossing.begin(), crossing.end());
+    for (const Bore& bore : bores)
+      if (std::any_of(bore.wall.begin(), bore.wall.end(), [&](const Triangle& t) {
+            return std::binary_search(crossing.begin(), crossing.end(), stored(t));
+          }))
+        close(bore);
+  }
+
+  Triangle stored(const Triangle& t) const { return m_builder.triangle(m_builder.find_triangle(t[0], t[1], t[2])); }
+
+  // Each of which has the center of the other one behind it, inside; the nearest ones first.
+  template <typename CancellationPoint>
+  std::vector<Pair> find_pairs(const std::vector<Cap>& caps, CancellationPoint& cancellation_point) const
+  {
+    std::vector<Local_point> centers;
+    for (const Cap& cap : caps)
+      centers.push_back(center(cap));
+    std::vector<Pair> result;
+    for (std::size_t i = 0; i != caps.size(); ++i) {
+      cancellation_point(caps.size());
+      for (std::size_t j = i + 1; j != caps.size(); ++j)
+        if (is_behind(caps[i], centers[i], centers[j]) && is_behind(caps[j], centers[j], centers[i]))
+          result.push_back(Pair{ (centers[j] - centers[i]).squared_length(), i, j });
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  Local_point center(const Cap& cap) const
+  {
+    const Local_point& origin = m_points[cap.points.front()];
+    Local_vector sum(0, 0, 0);
+    for (Point_index p : cap.points)
+      sum = sum + (m_points[p] - origin);
+    return origin + sum / double(cap.points.size());
+  }
+
+  // Whether the point is inside and no farther aside than the points of the cap.
+  bool is_behind(const Cap& cap, const Local_point& center, const Local_point& p) const
+  {
+    const Local_vector d = p - center;
+    if (!(d * cap.normal < 0.))
+      return false;
+    const double aside = cross_product(d, cap.normal).squared_length() / cap.normal.squared_length();
+    return std::any_of(cap.points.begin(), cap.points.end(),
+                       [&](Point_index q) { return (m_points[q] - center).squared_length() > aside; });
+  }
+
+  // Returns whether the surface stays a closed manifold; else all is as it was.
+  template <typename CancellationPoint>
+  bool open(const Cap& first, const Cap& second, std::vector<Bore>& bores, CancellationPoint& cancellation_point)
+  {
+    std::vector<Point_index> points;
+    std::merge(first.points.begin(), first.points.end(), second.points.begin(), second.points.end(),
+               std::back_inserter(points));
+    Bore bore{ first.triangles, find_wall(points, first, second, cancellation_point) };
+    bore.caps.insert(bore.caps.end(), second.triangles.begin(), second.triangles.end());
+    if (bore.wall.size() != points.size() ||
+        !exchange_triangles(m_builder, bore.caps, bore.wall, 0, cancellation_point))
+      return false;
+    if (std::all_of(points.begin(), points.end(), [&](Point_index p) { return m_builder.is_fan_closed(p); })) {
+      bores.push_back(std::move(bore));
+      return true;
+    }
+    close(bore);
+    return false;
+  }
+
+  void close(const Bore& bore)
+  {
+    for (const Triangle& t : bore.wall)
+      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+    for (const Triangle& t : bore.caps)
+      m_builder.restore(t);
+  }
+
+  // The facets of the convex hull of the caps but for those on one of them: as many as points if it is a tube.
+  template <typename CancellationPoint>
+  Triangles find_wall(const std::vector<Point_index>& points, const Cap& first, const Cap& second,
+                      CancellationPoint& cancellation_point) const
+  {
+    Triangles wall = hull_facets(Cell_complex(m_points, points, cancellation_point));
+    const auto is_on = [](const Triangle& t, const Cap& cap) {
+      return std::all_of(t.begin(), t.end(),
+                         [&](Point_index p) { return std::binary_search(cap.points.begin(), cap.points.end(), p); });
+    };
+    wall.erase(
+      std::remove_if(wall.begin(), wall.end(), [&](const Triangle& t) { return is_on(t, first) || is_on(t, second); }),
+      wall.end());
+    return wall;
+  }
+
+  const std::vector<Local_point>& m_points;
+  Builder& m_builder;
+};
+
+} // namespace internal
+} // namespace Interpolating_surface_reconstruction_3
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATING_SURFACE_RECONSTRUCTION_3_INTERNAL_BORE_OPENING_H
