@@ -14,10 +14,8 @@
 
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Flat_caps.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/hull_facets.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
@@ -26,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -37,7 +34,7 @@ namespace internal {
 
 // Opens bores that are closed by flat caps at both ends (see Flat_caps), as where they have points on their rims only:
 // stars may even agree on these caps. Two of them that turn their backs to each other are exchanged for the wall between
-// them, that of their convex hull, if the surface stays closed and the wall crosses nothing.
+// them, if the surface stays closed and the wall crosses nothing.
 template <typename Builder>
 class Bore_opening
 {
@@ -67,6 +64,7 @@ public:
 private:
   using Triangles = std::vector<Triangle>;
   using Cap = Flat_caps::Cap;
+  using Rim = std::vector<Point_index>;
 
   // All pairs of them are looked at.
   static constexpr std::size_t MAXIMUM_CAPS = 4096;
@@ -100,8 +98,8 @@ private:
     Triangles crossing;
     Surface_crossings<Builder>(m_points, m_builder)
       .for_each(
-        next, [](const Triangle&) { return true; },
-        [&](const Triangle& t, const Triangle&) { crossing.push_back(t); }, cancellation_point);
+        next, [](const Triangle&) { return true; }, [&](const Triangle& t, const Triangle&) { crossing.push_back(t); },
+        cancellation_point);
     std::sort(crossing.begin(), crossing.end());
     for (const Bore& bore : bores)
       if (std::any_of(bore.wall.begin(), bore.wall.end(), [&](const Triangle& t) {
@@ -132,11 +130,11 @@ private:
 
   Local_point center(const Cap& cap) const
   {
-    const Local_point& origin = m_points[cap.points.front()];
+    const Local_point& origin = m_points[cap.rim.front()];
     Local_vector sum(0, 0, 0);
-    for (Point_index p : cap.points)
+    for (Point_index p : cap.rim)
       sum = sum + (m_points[p] - origin);
-    return origin + sum / double(cap.points.size());
+    return origin + sum / double(cap.rim.size());
   }
 
   // Whether the point is inside and no farther aside than the points of the cap.
@@ -146,7 +144,7 @@ private:
     if (!(d * cap.normal < 0.))
       return false;
     const double aside = cross_product(d, cap.normal).squared_length() / cap.normal.squared_length();
-    return std::any_of(cap.points.begin(), cap.points.end(),
+    return std::any_of(cap.rim.begin(), cap.rim.end(),
                        [&](Point_index q) { return (m_points[q] - center).squared_length() > aside; });
   }
 
@@ -154,15 +152,15 @@ private:
   template <typename CancellationPoint>
   bool open(const Cap& first, const Cap& second, std::vector<Bore>& bores, CancellationPoint& cancellation_point)
   {
-    std::vector<Point_index> points;
-    std::merge(first.points.begin(), first.points.end(), second.points.begin(), second.points.end(),
-               std::back_inserter(points));
-    Bore bore{ first.triangles, find_wall(points, first, second, cancellation_point) };
+    Rim other = second.rim; // seen from the same side
+    std::reverse(other.begin(), other.end());
+    Bore bore{ first.triangles, find_wall(first.rim, other) };
     bore.caps.insert(bore.caps.end(), second.triangles.begin(), second.triangles.end());
-    if (bore.wall.size() != points.size() ||
-        !exchange_triangles(m_builder, bore.caps, bore.wall, 0, cancellation_point))
+    if (!exchange_triangles(m_builder, bore.caps, bore.wall, 0, cancellation_point))
       return false;
-    if (std::all_of(points.begin(), points.end(), [&](Point_index p) { return m_builder.is_fan_closed(p); })) {
+    const auto is_closed = [&](Point_index p) { return m_builder.is_fan_closed(p); };
+    if (std::all_of(first.rim.begin(), first.rim.end(), is_closed) &&
+        std::all_of(other.begin(), other.end(), is_closed)) {
       bores.push_back(std::move(bore));
       return true;
     }
@@ -178,21 +176,35 @@ private:
       m_builder.restore(t);
   }
 
-  // The facets of the convex hull of the caps but for those on one of them: as many as points if it is a tube.
-  template <typename CancellationPoint>
-  Triangles find_wall(const std::vector<Point_index>& points, const Cap& first, const Cap& second,
-                      CancellationPoint& cancellation_point) const
+  // From the nearest two points of the rims on, by the shorter diagonals.
+  Triangles find_wall(const Rim& first, const Rim& second) const
   {
-    Triangles wall = hull_facets(Cell_complex(m_points, points, cancellation_point));
-    const auto is_on = [](const Triangle& t, const Cap& cap) {
-      return std::all_of(t.begin(), t.end(),
-                         [&](Point_index p) { return std::binary_search(cap.points.begin(), cap.points.end(), p); });
-    };
-    wall.erase(
-      std::remove_if(wall.begin(), wall.end(), [&](const Triangle& t) { return is_on(t, first) || is_on(t, second); }),
-      wall.end());
+    std::size_t i = 0, j = 0;
+    for (std::size_t k = 0; k != first.size(); ++k)
+      for (std::size_t l = 0; l != second.size(); ++l)
+        if (squared_length(first[k], second[l]) < squared_length(first[i], second[j])) {
+          i = k;
+          j = l;
+        }
+    Triangles wall;
+    std::size_t left = first.size(), left_of_second = second.size();
+    while (left + left_of_second != 0) {
+      const Point_index p = first[i], q = second[j], next = first[(i + 1) % first.size()],
+                        next_of_second = second[(j + 1) % second.size()];
+      if (left_of_second == 0 || (left != 0 && squared_length(next, q) <= squared_length(p, next_of_second))) {
+        wall.push_back(Triangle{ { p, q, next } });
+        i = (i + 1) % first.size();
+        --left;
+      } else {
+        wall.push_back(Triangle{ { p, q, next_of_second } });
+        j = (j + 1) % second.size();
+        --left_of_second;
+      }
+    }
     return wall;
   }
+
+  double squared_length(Point_index p, Point_index q) const { return (m_points[q] - m_points[p]).squared_length(); }
 
   const std::vector<Local_point>& m_points;
   Builder& m_builder;

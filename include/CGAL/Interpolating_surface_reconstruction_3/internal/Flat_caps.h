@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -41,7 +42,7 @@ public:
 
   struct Cap
   {
-    std::vector<Point_index> points; // increasing
+    std::vector<Point_index> rim; // around the triangles
     std::vector<Triangle> triangles;
     Local_vector normal{ 0, 0, 0 }; // the sum of their area vectors, twice
   };
@@ -62,10 +63,12 @@ private:
   // Edges between six points on a circle are as long as its radius.
   static constexpr std::size_t MINIMUM_POINTS = 7;
 
+  using Ends = std::pair<Point_index, Point_index>; // of an edge, in order
+
   // An edge and its triangle, with the third point of that.
   struct Edge
   {
-    std::pair<Point_index, Point_index> ends;
+    Ends ends;
     std::size_t triangle;
     Point_index opposite;
     bool operator<(const Edge& other) const
@@ -77,9 +80,8 @@ private:
   struct Part
   {
     Cap cap;
-    std::size_t ring_edges = 0;
-    double longest = 0., area = 0.,
-           radius = 0.; // squares: of ring edges, of the largest triangle, of the circle around it
+    std::vector<Ends> rim;                       // edges
+    double longest = 0., area = 0., radius = 0.; // squares: of edges of the rim, of the largest triangle, of its circle
   };
 
   Local_vector doubled_area_vector(const Triangle& t) const
@@ -162,20 +164,17 @@ private:
       if (is_same(k - 1) || is_same(k + 1))
         continue;
       Part& part = part_of(edges[k].triangle);
-      ++part.ring_edges;
-      part.longest =
-        (std::max)(part.longest, (m_points[edges[k].ends.second] - m_points[edges[k].ends.first]).squared_length());
+      part.rim.push_back(edges[k].ends);
+      part.longest = (std::max)(part.longest, squared_length(edges[k].ends.first, edges[k].ends.second));
     }
     for (Part& part : all)
-      if (is_cap(part)) {
+      if (is_cap(part))
         m_caps.push_back(std::move(part.cap));
-      }
   }
 
   void add_triangle(const Triangle& t, Part& part) const
   {
     part.cap.triangles.push_back(t);
-    part.cap.points.insert(part.cap.points.end(), t.begin(), t.end());
     const Local_vector n = doubled_area_vector(t);
     part.cap.normal = part.cap.normal + n;
     const double area = n.squared_length();
@@ -191,12 +190,32 @@ private:
   bool is_cap(Part& part) const
   {
     const std::size_t size = part.cap.triangles.size() + 2;
-    if (size < MINIMUM_POINTS || part.ring_edges != size || !(part.longest < part.radius))
+    if (size < MINIMUM_POINTS || part.rim.size() != size || !(part.longest < part.radius))
       return false;
-    std::vector<Point_index>& points = part.cap.points;
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points.size() == size;
+    part.cap.rim = rim_of(part);
+    return part.cap.rim.size() == size;
+  }
+
+  // In the order in which its points follow each other, counterclockwise around the normal; up to where they do so first.
+  std::vector<Point_index> rim_of(const Part& part) const
+  {
+    std::vector<Ends> next;
+    for (const Ends& e : part.rim) {
+      next.push_back(e);
+      next.emplace_back(e.second, e.first);
+    }
+    std::sort(next.begin(), next.end());
+    std::vector<Point_index> rim;
+    Point_index p = next.front().first, before = NO_POINT;
+    do {
+      const auto it = std::lower_bound(next.begin(), next.end(), Ends(p, 0));
+      const Point_index q = it->second != before ? it->second : (it + 1)->second;
+      rim.push_back(p);
+      before = std::exchange(p, q);
+    } while (p != next.front().first && rim.size() < part.rim.size());
+    if (loop_normal(m_points, rim) * part.cap.normal < 0.)
+      std::reverse(rim.begin(), rim.end());
+    return rim;
   }
 
   const std::vector<Local_point>& m_points;
