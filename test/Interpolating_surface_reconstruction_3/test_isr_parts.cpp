@@ -129,11 +129,56 @@ void test_milled_parts(double spacing)
   test_part("block with a boss" + with, boss, 2);
 }
 
+// Nothing but the rims of holes tells of them: stars agree on caps.
+void test_parts_with_points_on_edges(double spacing)
+{
+  const Vector up(0, 0, 1);
+  const std::string with = ", edges only, spacing " + std::to_string(spacing);
+  const auto frame = [&](double z) {
+    Points points = rectangle(z * up, 3., 3., spacing);
+    append(points, rectangle(Vector(.5, .5, z), 2., 2., spacing));
+    return points;
+  };
+  test_part("frame" + with, extruded(frame, 1., 1.), 0);
+  const auto plate = [&](double z) {
+    Points points = rectangle(z * up, 6., 3., spacing);
+    for (double x : { 1.2, 3., 4.8 })
+      append(points, ring(Vector(x, 1.5, z), .5, spacing));
+    return points;
+  };
+  for (double height : { 1., 2. })
+    test_part("plate with three holes" + with, extruded(plate, height, height), -4);
+  const auto cone = [&](double z) {
+    Points points = ring(z * up, 2., spacing);
+    append(points, ring(z * up, .5 + .5 * z, spacing));
+    return points;
+  };
+  if (spacing < .2) // else, a tunnel is left beside the bore
+    test_part("ring with a conical bore" + with, extruded(cone, 1., 1.), 0);
+}
+
+// Flat faces with points all over have no caps.
+void test_boxes_with_points_on_faces()
+{
+  for (unsigned int seed : { 1u, 2u, 3u }) {
+    Random random(seed);
+    Points points;
+    for (int i = 0; i != 2000; ++i) {
+      const double x = random.uniform(0., 2.), y = random.uniform(0., 2.);
+      points.push_back(Point(x, y, i % 2 == 0 ? 0. : .5));
+    }
+    append(points, extruded([](double z) { return rectangle(Vector(0, 0, z), 2., 2., .1); }, .5, .1));
+    test_part("plate with points at random, seed " + std::to_string(seed), points, 2);
+  }
+}
+
 int main()
 {
   for (double spacing : { .1, .13, .2 }) {
     test_turned_parts(spacing);
     test_milled_parts(spacing);
+    test_parts_with_points_on_edges(spacing);
   }
+  test_boxes_with_points_on_faces();
   return result();
 }

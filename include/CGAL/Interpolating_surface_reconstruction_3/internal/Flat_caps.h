@@ -44,10 +44,10 @@ public:
   {
     std::vector<Point_index> rim; // around the triangles
     std::vector<Triangle> triangles;
-    Local_vector normal{ 0, 0, 0 }; // the sum of their area vectors, twice
+    Local_vector normal{ 0, 0, 0 }; // the sum of their area vectors, twice, to one side
   };
 
-  // Caps are oriented as the triangles are.
+  // Triangles of a cap need not be oriented alike; the normal of a cap is oriented as its first triangle is.
   Flat_caps(const std::vector<Local_point>& points, const std::vector<Triangle>& triangles) : m_points(points)
   {
     find_flat_triangles(triangles);
@@ -176,7 +176,7 @@ private:
   {
     part.cap.triangles.push_back(t);
     const Local_vector n = doubled_area_vector(t);
-    part.cap.normal = part.cap.normal + n;
+    part.cap.normal = part.cap.normal + (n * part.cap.normal < 0. ? -n : n);
     const double area = n.squared_length();
     if (area > part.area) {
       part.area = area;
@@ -193,7 +193,21 @@ private:
     if (size < MINIMUM_POINTS || part.rim.size() != size || !(part.longest < part.radius))
       return false;
     part.cap.rim = rim_of(part);
-    return part.cap.rim.size() == size;
+    return part.cap.rim.size() == size && is_convex(part.cap);
+  }
+
+  // As bores mostly are, and gaps between samples at random hardly ever.
+  bool is_convex(const Cap& cap) const
+  {
+    const std::size_t n = cap.rim.size();
+    for (std::size_t i = 0; i != n; ++i) {
+      const Local_point& p = m_points[cap.rim[(i + 1) % n]];
+      const Local_vector from = p - m_points[cap.rim[i]], to = m_points[cap.rim[(i + 2) % n]] - p;
+      const double lengths = std::sqrt(from.squared_length() * to.squared_length() * cap.normal.squared_length());
+      if (cross_product(from, to) * cap.normal < -ROUNDING_OF_FIVE_DIGITS * lengths)
+        return false;
+    }
+    return true;
   }
 
   // In the order in which its points follow each other, counterclockwise around the normal; up to where they do so first.
