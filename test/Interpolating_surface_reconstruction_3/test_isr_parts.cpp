@@ -146,8 +146,15 @@ void test_parts_with_points_on_edges(double spacing)
       append(points, ring(Vector(x, 1.5, z), .5, spacing));
     return points;
   };
-  for (double height : { 1., 2. })
+  for (double height : { .6, 1., 2. })
     test_part("plate with three holes" + with, extruded(plate, height, height), -4);
+  const auto stepped = [&](double z) { // not a prism: one point more above
+    Points points = plate(z);
+    if (z != 0.)
+      points.push_back(Point(0., .5 * spacing, z));
+    return points;
+  };
+  test_part("plate with an extra point" + with, extruded(stepped, 1., 1.), -4);
   const auto cone = [&](double z) {
     Points points = ring(z * up, 2., spacing);
     append(points, ring(z * up, .5 + .5 * z, spacing));

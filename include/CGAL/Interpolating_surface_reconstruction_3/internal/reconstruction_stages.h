@@ -18,6 +18,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Manifold_builder.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_cloud_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Prism_recognition.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_predicates.h>
@@ -101,6 +102,10 @@ public:
   void complete_conflicts(const Point_octree_3& octree, Builder& builder, double share)
   {
     m_progress.begin_stage(Stage::COMPLETION, share);
+    if (closing_options().closes_all_loops() && Prism_recognition<Builder>(m_cloud.positions(), builder)(m_progress)) {
+      m_progress.end_stage(builder.number_of_stored_triangles());
+      return;
+    }
     std::size_t attached = 0;
     const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
       attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
