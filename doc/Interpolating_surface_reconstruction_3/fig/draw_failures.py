@@ -13,7 +13,7 @@ import tempfile
 from PIL import Image
 
 ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
-MODELS = ["anchor", "spool", "oblong", "rotor_small", "pinion", "cheese"]
+MODELS = ["anchor", "spool", "oblong", "rotor_small", "cheese"]
 METHODS = ["ctc", "lis", "af"]
 PIXELS = 240
 
