@@ -69,6 +69,9 @@ private:
   // All pairs of them are looked at.
   static constexpr std::size_t MAXIMUM_CAPS = 4096;
 
+  // Of a point of either rim; rims of two thousand points have as many.
+  static constexpr std::size_t MAXIMUM_RIM_PAIRS = 1 << 22;
+
   struct Pair
   {
     double squared_distance;
@@ -152,6 +155,8 @@ private:
   template <typename CancellationPoint>
   bool open(const Cap& first, const Cap& second, std::vector<Bore>& bores, CancellationPoint& cancellation_point)
   {
+    if (first.rim.size() > MAXIMUM_RIM_PAIRS / second.rim.size())
+      return false;
     Rim other = second.rim; // seen from the same side
     std::reverse(other.begin(), other.end());
     Bore bore{ first.triangles, find_wall(first.rim, other) };
