@@ -10,8 +10,9 @@ usage: quality_samples.py rows FOLDER [RATIO...]
 rows writes samples of tori, a sphere and a terrain in rows RATIO times (3, 5, 10, 20, 40) as far from each other as the
 points in them: as in a grid, with each row shifted, and with each point moved in its row. openings writes spheres
 whose top is cut off, with noise. parts writes milled parts with points on their walls only, in random rotations, and
-edges those with points on the edges of their two faces only. count tells how many of them a method got right, from `isr_compare --runs 1 --csv FILE.csv --method METHOD FOLDER`: one
-component with the Euler characteristic of the surface and, of the openings, one loop."""
+edges those with points on the edges of their two faces only. count tells how many of them a method got right, from
+`isr_compare --runs 1 --csv FILE.csv --method METHOD FOLDER`: one component with the Euler characteristic of the surface
+and, of the openings, one loop."""
 
 import csv
 import math
