@@ -64,6 +64,22 @@ Points extruded(const Profile& profile, double height, double spacing)
   return points;
 }
 
+Points frame_profile(double z, double spacing)
+{
+  Points points = rectangle(Vector(0, 0, z), 3., 3., spacing);
+  append(points, rectangle(Vector(.5, .5, z), 2., 2., spacing));
+  return points;
+}
+
+// That of a plate with three holes.
+Points plate_profile(double z, double spacing)
+{
+  Points points = rectangle(Vector(0, 0, z), 6., 3., spacing);
+  for (double x : { 1.2, 3., 4.8 })
+    append(points, ring(Vector(x, 1.5, z), .5, spacing));
+  return points;
+}
+
 void test_part(const std::string& name, const Points& points, long euler_characteristic, std::size_t components = 1)
 {
   for (double angle : { 0., .7, 1.9, 2.6 }) {
@@ -102,18 +118,9 @@ void test_milled_parts(double spacing)
   const std::string with = ", spacing " + std::to_string(spacing);
   const auto square = [&](double z) { return rectangle(z * up, 3., 3., spacing); };
   test_part("block" + with, extruded(square, 1., spacing), 2);
-  const auto frame = [&](double z) {
-    Points points = square(z);
-    append(points, rectangle(Vector(.5, .5, z), 2., 2., spacing));
-    return points;
-  };
+  const auto frame = [&](double z) { return frame_profile(z, spacing); };
   test_part("frame" + with, extruded(frame, 1., spacing), 0);
-  const auto plate = [&](double z) {
-    Points points = rectangle(z * up, 6., 3., spacing);
-    for (double x : { 1.2, 3., 4.8 })
-      append(points, ring(Vector(x, 1.5, z), .5, spacing));
-    return points;
-  };
+  const auto plate = [&](double z) { return plate_profile(z, spacing); };
   const auto flange = [&](double z) {
     Points points = ring(z * up, 3., spacing);
     append(points, ring(z * up, .6, spacing));
@@ -134,18 +141,9 @@ void test_parts_with_points_on_edges(double spacing)
 {
   const Vector up(0, 0, 1);
   const std::string with = ", edges only, spacing " + std::to_string(spacing);
-  const auto frame = [&](double z) {
-    Points points = rectangle(z * up, 3., 3., spacing);
-    append(points, rectangle(Vector(.5, .5, z), 2., 2., spacing));
-    return points;
-  };
+  const auto frame = [&](double z) { return frame_profile(z, spacing); };
   test_part("frame" + with, extruded(frame, 1., 1.), 0);
-  const auto plate = [&](double z) {
-    Points points = rectangle(z * up, 6., 3., spacing);
-    for (double x : { 1.2, 3., 4.8 })
-      append(points, ring(Vector(x, 1.5, z), .5, spacing));
-    return points;
-  };
+  const auto plate = [&](double z) { return plate_profile(z, spacing); };
   for (double height : { .6, 1., 2. })
     test_part("plate with three holes" + with, extruded(plate, height, height), -4);
   const auto stepped = [&](double z) { // not a prism: one point more above

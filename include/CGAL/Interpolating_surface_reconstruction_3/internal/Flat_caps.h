@@ -18,12 +18,12 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -80,8 +80,9 @@ private:
   struct Part
   {
     Cap cap;
-    std::vector<Ends> rim;                       // edges
-    double longest = 0., area = 0., radius = 0.; // squares: of edges of the rim, of the largest triangle, of its circle
+    std::vector<Ends> rim; // edges
+    double longest = 0., area = 0.,
+           diameter = 0.; // squares: of edges of the rim, of the largest triangle, of its circle
   };
 
   Local_vector doubled_area_vector(const Triangle& t) const
@@ -180,7 +181,7 @@ private:
     const double area = n.squared_length();
     if (area > part.area) {
       part.area = area;
-      part.radius = squared_length(t[0], t[1]) * squared_length(t[1], t[2]) * squared_length(t[2], t[0]) / (4. * area);
+      part.diameter = squared_circumdiameter(m_points[t[0]], m_points[t[1]], m_points[t[2]]);
     }
   }
 
@@ -190,7 +191,7 @@ private:
   bool is_cap(Part& part) const
   {
     const std::size_t size = part.cap.triangles.size() + 2;
-    if (size < MINIMUM_POINTS || part.rim.size() != size || !(part.longest < part.radius))
+    if (size < MINIMUM_POINTS || part.rim.size() != size || !(4. * part.longest < part.diameter))
       return false;
     part.cap.rim = rim_of(part);
     return part.cap.rim.size() == size && is_convex(part.cap);
