@@ -22,7 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,7 +57,7 @@ public:
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
     if (triangulation.is_usable())
-      sort_cells(cells_of(triangulation.delaunay(), cancellation_point), cancellation_point);
+      copy_cells(triangulation.delaunay(), cancellation_point);
   }
 
   // `points` are distinct.
@@ -69,14 +69,10 @@ public:
     // What stays is allocated before the triangulation, so that the system gets the memory of that back.
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
-    std::vector<Cell> unsorted;
-    {
-      Site_triangulation triangulation(positions);
-      triangulation.insert(m_points, cancellation_point);
-      if (triangulation.is_usable())
-        unsorted = cells_of(triangulation.delaunay(), cancellation_point);
-    }
-    sort_cells(std::move(unsorted), cancellation_point);
+    Site_triangulation triangulation(positions);
+    triangulation.insert(m_points, cancellation_point);
+    if (triangulation.is_usable())
+      copy_cells(triangulation.delaunay(), cancellation_point);
   }
 
   Cell_complex(const std::vector<Local_point>& positions, std::vector<Point_index> points)
@@ -144,6 +140,9 @@ private:
   // More cells are not sorted by insertion.
   static constexpr std::size_t CELLS_TO_INSERT = 32;
 
+  // What is in place of the neighbors of cells that are being sorted.
+  static constexpr std::size_t NUMBER = 0, ORDER = 1;
+
   void tabulate_positions()
   {
     if (m_points.empty() || (m_points.back() - m_points.front()) / MAXIMUM_INDICES_PER_POINT >= m_points.size())
@@ -153,83 +152,75 @@ private:
       m_positions[m_points[k] - m_points.front()] = static_cast<Point_index>(k);
   }
 
-  // The cells in the order in which they are in memory, which is nearly that of their places. The info of each
-  // cell of the triangulation becomes its number.
+  // The cells get into the lexicographic order of their increasing vertices: they are put where those with the same
+  // smallest vertex are, which are few, then sorted. The info of each cell of the triangulation becomes its number in
+  // memory, whose order is nearly that of the places.
   template <typename Cancellation_point>
-  static std::vector<Cell> cells_of(const Delaunay& delaunay, Cancellation_point& cancellation_point)
-  {
-    std::vector<Cell> cells;
-    cells.reserve(delaunay.tds().number_of_cells());
-    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
-      cancellation_point();
-      cell->info() = static_cast<Cell_index>(cells.size());
-      cells.emplace_back();
-      for (std::size_t i = 0; i != 4; ++i)
-        cells.back().vertices[i] = cell->vertex(static_cast<int>(i))->info();
-    }
-    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
-      cancellation_point();
-      for (std::size_t i = 0; i != 4; ++i)
-        cells[cell->info()].neighbors[i] = cell->neighbor(static_cast<int>(i))->info();
-    }
-    return cells;
-  }
-
-  // The cells get into the lexicographic order of their increasing vertices. They are put where those with
-  // the same smallest vertex are, which are few, then sorted.
-  template <typename Cancellation_point>
-  void sort_cells(std::vector<Cell> unsorted, Cancellation_point& cancellation_point)
+  void copy_cells(const Delaunay& delaunay, Cancellation_point& cancellation_point)
   {
     std::vector<Cell_index> end(m_points.size() + 1, 0); // of the cells of each smallest vertex, so far
-    for (Cell& cell : unsorted) {
+    std::vector<Cell_index> places;                      // of each number; at first the smallest vertex
+    places.reserve(delaunay.tds().number_of_cells());
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      sort_vertices(cell);
-      ++end[position(cell.vertices[0]) + 1];
+      cell->info() = static_cast<Cell_index>(places.size());
+      const std::array<Point_index, 4> v = vertices_of(cell);
+      places.push_back(static_cast<Cell_index>(position(*std::min_element(v.begin(), v.end()))));
+      ++end[places.back() + 1];
     }
-    for (std::size_t k = 0; k != m_points.size(); ++k)
-      end[k + 1] += end[k];
-    m_cells.resize(unsorted.size());
-    std::vector<Cell_index> numbers(unsorted.size()), places(unsorted.size());
-    for (Cell_index c = 0; c != unsorted.size(); ++c) {
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    m_cells.resize(places.size());
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      const Cell_index place = end[position(unsorted[c].vertices[0])]++;
-      m_cells[place] = unsorted[c];
-      numbers[place] = c;
+      m_cells[end[places[cell->info()]]++] = sorted_cell(vertices_of(cell), cell->info());
     }
-    std::vector<Cell>().swap(unsorted);
     for (std::size_t k = 0, begin = 0; k != m_points.size(); begin = end[k], ++k) {
       cancellation_point();
-      sort_cells(begin, end[k], numbers);
+      sort_cells(begin, end[k]);
     }
     for (Cell_index c = 0; c != m_cells.size(); ++c)
-      places[numbers[c]] = c;
-    for (Cell& cell : m_cells) {
+      places[m_cells[c].neighbors[NUMBER]] = c;
+    for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) {
       cancellation_point();
-      for (Cell_index& n : cell.neighbors)
-        n = places[n];
+      Cell& copy = m_cells[places[cell->info()]];
+      const Cell_index order = copy.neighbors[ORDER];
+      for (std::size_t i = 0; i != 4; ++i)
+        copy.neighbors[i] = places[cell->neighbor(static_cast<int>(order >> (2 * i) & 3))->info()];
     }
   }
 
-  // Makes the vertices increasing, but for the last two, which are exchanged where that keeps the orientation.
-  static void sort_vertices(Cell& cell)
+  static std::array<Point_index, 4> vertices_of(Delaunay::Cell_handle cell)
   {
+    return { { cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(), cell->vertex(3)->info() } };
+  }
+
+  // The vertices increase, but for the last two, which are exchanged where that keeps the orientation. As long as the
+  // neighbors have no places, there are the number of the cell and, in two bits each, the order its vertices had.
+  static Cell sorted_cell(const std::array<Point_index, 4>& vertices, Cell_index number)
+  {
+    Cell cell{ vertices, { { 0, 1, 2, 3 } } };
     bool is_odd = false;
+    const auto exchange = [&](std::size_t i, std::size_t j) {
+      std::swap(cell.vertices[i], cell.vertices[j]);
+      std::swap(cell.neighbors[i], cell.neighbors[j]);
+      is_odd = !is_odd;
+    };
     const auto sort_two = [&](std::size_t i, std::size_t j) {
-      if (cell.vertices[i] > cell.vertices[j]) {
-        std::swap(cell.vertices[i], cell.vertices[j]);
-        std::swap(cell.neighbors[i], cell.neighbors[j]);
-        is_odd = !is_odd;
-      }
+      if (cell.vertices[i] > cell.vertices[j])
+        exchange(i, j);
     };
     sort_two(0, 1);
     sort_two(2, 3);
     sort_two(0, 2);
     sort_two(1, 3);
     sort_two(1, 2);
-    if (is_odd) {
-      std::swap(cell.vertices[2], cell.vertices[3]);
-      std::swap(cell.neighbors[2], cell.neighbors[3]);
-    }
+    if (is_odd)
+      exchange(2, 3);
+    const Cell_index order =
+      cell.neighbors[0] | cell.neighbors[1] << 2 | cell.neighbors[2] << 4 | cell.neighbors[3] << 6;
+    cell.neighbors[NUMBER] = number;
+    cell.neighbors[ORDER] = order;
+    return cell;
   }
 
   // Of cells with the same smallest vertex.
@@ -239,29 +230,19 @@ private:
     return a.vertices[1] != b.vertices[1] ? a.vertices[1] < b.vertices[1] : last(a) < last(b);
   }
 
-  // `numbers` are those of the cells.
-  void sort_cells(std::size_t begin, std::size_t end, std::vector<Cell_index>& numbers)
+  void sort_cells(std::size_t begin, std::size_t end)
   {
+    Cell* const cells = m_cells.data();
     if (end - begin > CELLS_TO_INSERT) {
-      std::vector<std::pair<Cell, Cell_index> > entries;
-      for (std::size_t c = begin; c != end; ++c)
-        entries.emplace_back(m_cells[c], numbers[c]);
-      std::sort(entries.begin(), entries.end(),
-                [](const auto& a, const auto& b) { return is_before(a.first, b.first); });
-      for (std::size_t c = begin; c != end; ++c)
-        std::tie(m_cells[c], numbers[c]) = entries[c - begin];
+      std::sort(cells + begin, cells + end, is_before);
       return;
     }
     for (std::size_t c = begin; c != end; ++c) {
-      const Cell cell = m_cells[c];
-      const Cell_index number = numbers[c];
+      const Cell cell = cells[c];
       std::size_t place = c;
-      for (; place != begin && is_before(cell, m_cells[place - 1]); --place) {
-        m_cells[place] = m_cells[place - 1];
-        numbers[place] = numbers[place - 1];
-      }
-      m_cells[place] = cell;
-      numbers[place] = number;
+      for (; place != begin && is_before(cell, cells[place - 1]); --place)
+        cells[place] = cells[place - 1];
+      cells[place] = cell;
     }
   }
 
