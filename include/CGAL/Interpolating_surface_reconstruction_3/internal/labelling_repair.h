@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -134,7 +135,7 @@ public:
       if (changes[v] != FREE_CHANGES)
         ++changes[v];
       update_defects(m_best.cells);
-      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+      add_touched_defects(todo);
     }
   }
 
@@ -160,9 +161,7 @@ public:
         if (m_defects[v] == 0 || count_components(v) <= 2 || !untangle_at(v, cancellation_point))
           continue;
         todo.push_back(v);
-        for (std::size_t w : m_touched)
-          if (m_defects[w] != 0)
-            todo.push_back(w);
+        add_touched_defects(todo);
       }
     }
   }
@@ -215,12 +214,15 @@ private:
       const std::size_t v = todo.back();
       todo.pop_back();
       cancellation_point(MICROSECONDS_PER_MOVE);
-      if (m_defects[v] == 0 || !improve(v))
-        continue;
-      for (std::size_t w : m_touched)
-        if (m_defects[w] != 0)
-          todo.push_back(w);
+      if (m_defects[v] != 0 && improve(v))
+        add_touched_defects(todo);
     }
+  }
+
+  void add_touched_defects(std::vector<std::size_t>& todo) const
+  {
+    std::copy_if(m_touched.begin(), m_touched.end(), std::back_inserter(todo),
+                 [&](std::size_t v) { return m_defects[v] != 0; });
   }
 
   // Makes the best of the moves at vertex v that lessen the defects; false if there is none. The
@@ -396,7 +398,7 @@ private:
       is_changed = true;
       flip(cells);
       update_defects(cells);
-      todo.insert(todo.end(), m_touched.begin(), m_touched.end());
+      add_touched_defects(todo);
     }
     return is_changed;
   }
