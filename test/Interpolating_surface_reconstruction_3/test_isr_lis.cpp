@@ -177,6 +177,26 @@ void test_lengths_of_normals()
   ISR_CHECK(checked_lis(broken).triangles.empty());
 }
 
+// Where the surface cannot be repaired at a point, points around it may be left out, but that must not spread.
+void test_normals_without_sides()
+{
+  begin_case("half of the normals flipped");
+  std::size_t unused = 0;
+  Random random(1);
+  for (const double noise : { .02, .03, .04 })
+    for (std::uint64_t seed = 1; seed != 3; ++seed) {
+      Oriented_points samples = with_normals(with_noise(sphere_random(5000, seed).points, noise, seed), from_origin);
+      for (Oriented_point& s : samples)
+        s.second = (random.below(2) == 0 ? 1. : -1.) * (s.second + .4 * random.unit());
+      Counting_visitor visitor;
+      const Soup soup = lis(samples, params::combine(oriented_maps(), params::visitor(std::ref(visitor))));
+      ISR_CHECK(validation::is_oriented_manifold(soup.points, soup.triangles, Kernel()));
+      ISR_CHECK(validation::boundary_edges(soup.triangles).empty());
+      unused += visitor.unused;
+    }
+  ISR_CHECK(unused < 300);
+}
+
 // Whatever the samples are, the result is a closed manifold.
 void test_bad_samples()
 {
@@ -464,6 +484,7 @@ int main()
   test_without_normals();
   test_normals_inward();
   test_lengths_of_normals();
+  test_normals_without_sides();
   test_bad_samples();
   test_rounded_areas();
   test_few_or_flat_points();

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +44,19 @@ protected:
     Cell_index cell;
     unsigned char changes;
   };
+
+  // Cells to change together, how many more defects that makes, and what it wins.
+  struct Move
+  {
+    std::vector<Cell_index> cells;
+    int defects;
+    double gain;
+  };
+
+  static bool is_better(const Move& a, const Move& b)
+  {
+    return a.defects < b.defects || (a.defects == b.defects && a.gain > b.gain);
+  }
 
   // Lists that keep their memory when they are cleared.
   class Cell_lists
@@ -92,15 +106,6 @@ protected:
   {
     const auto components = static_cast<int>(count_components(v));
     return components == 1 ? (m_counts_points_left_out ? 1 : 0) : components - 2;
-  }
-
-  // The cells of each component around vertex v.
-  std::vector<std::vector<Cell_index> > components_at(std::size_t v)
-  {
-    std::vector<std::vector<Cell_index> > components(m_stars.find_components(v));
-    for (std::size_t k = 0; k != m_stars.size(); ++k)
-      components[m_stars.component(k)].push_back(m_stars.cell(k));
-    return components;
   }
 
   // Sets m_moves to the cells to change together that may lessen the defects at vertex v: first each component around it,
@@ -173,6 +178,19 @@ protected:
       return;
     m_is_counted[v] = 0;
     m_touched.push_back(v);
+  }
+
+  // The cells as a move; nothing stays changed.
+  Move move_of(std::vector<Cell_index> cells)
+  {
+    const double g = gain(cells);
+    flip(cells);
+    find_touched(cells);
+    int defects = 0;
+    for (std::size_t v : m_touched)
+      defects += count_defects(v) - m_defects[v];
+    flip(cells);
+    return Move{ std::move(cells), defects, g };
   }
 
   // Counts the defects at the vertices of cells that have changed; returns by how many there are more.

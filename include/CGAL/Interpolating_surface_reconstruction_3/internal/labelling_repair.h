@@ -41,7 +41,6 @@ class Labelling_repair : private Label_defects<Labelling>
 {
   using Base = Label_defects<Labelling>;
   using Base::change_by_one_cell;
-  using Base::components_at;
   using Base::count_components;
   using Base::count_defects;
   using Base::find_moves;
@@ -49,6 +48,7 @@ class Labelling_repair : private Label_defects<Labelling>
   using Base::flip;
   using Base::gain;
   using Base::is_at_surface;
+  using Base::is_better;
   using Base::m_cells;
   using Base::m_counts_points_left_out;
   using Base::m_defects;
@@ -58,8 +58,10 @@ class Labelling_repair : private Label_defects<Labelling>
   using Base::m_moves;
   using Base::m_stars;
   using Base::m_touched;
+  using Base::move_of;
   using Base::update_defects;
   using typename Base::Hub;
+  using typename Base::Move;
 
 public:
   using Cell_index = Cell_complex::Cell_index;
@@ -131,7 +133,7 @@ public:
       if (count_components(v) <= 2)
         continue;
       // From some time on, cells only become inside, which ends with the convex hull.
-      flip(component_to_change(v, changes[v]));
+      flip(cells_to_change(v, changes[v]));
       if (changes[v] != FREE_CHANGES)
         ++changes[v];
       update_defects(m_best.cells);
@@ -198,14 +200,6 @@ private:
   static constexpr std::size_t MAXIMUM_SEQUENCE = 32;
 
   static constexpr std::size_t MICROSECONDS_PER_MOVE = 128;
-
-  // Cells to change together, and what that brings.
-  struct Move
-  {
-    std::vector<Cell_index> cells;
-    int defects;
-    double gain;
-  };
 
   template <typename Cancellation_point>
   void repair(std::vector<std::size_t> todo, Cancellation_point& cancellation_point)
@@ -295,18 +289,9 @@ private:
       });
       if (!is_new || (m_keeps_components && !is_at_surface(cells)))
         continue;
-      const double g = gain(cells);
-      flip(cells);
-      find_touched(cells);
-      int defects = 0;
-      for (std::size_t w : m_touched)
-        defects += count_defects(w) - m_defects[w];
-      flip(cells);
-      result.push_back(Move{ std::move(cells), defects, g });
+      result.push_back(move_of(std::move(cells)));
     }
-    std::stable_sort(result.begin(), result.end(), [](const Move& a, const Move& b) {
-      return a.defects < b.defects || (a.defects == b.defects && a.gain > b.gain);
-    });
+    std::stable_sort(result.begin(), result.end(), is_better);
     return result;
   }
 
@@ -356,24 +341,33 @@ private:
     return change <= maximum ? std::optional<int>(change) : std::nullopt;
   }
 
-  // The finite cells of a component around v, which has been changed some times: at first of that whose change wins
-  // most, or loses least, then of the next best, lest neighboring points go on to undo what they did; in the end
-  // only of the best with label 0. count_components() has counted more than two of them.
-  const std::vector<Cell_index>& component_to_change(std::size_t v, unsigned char changes)
+  // What to change at v, which has been changed some times: finite cells of one of the moves there, or all with one label,
+  // which takes v off the surface. At first those that leave the fewest defects, lest these spread, then the next best,
+  // lest neighboring points go on to undo what they did; in the end only the best with label 0. count_components() has
+  // counted more than two.
+  const std::vector<Cell_index>& cells_to_change(std::size_t v, unsigned char changes)
   {
     const bool is_filling = changes == FREE_CHANGES;
     std::vector<Move> moves;
-    for (std::vector<Cell_index>& cells : components_at(v)) {
+    std::array<std::vector<Cell_index>, 2> with_label;
+    const std::size_t components = find_moves(v);
+    for (std::size_t k = 0; k != m_moves.size(); ++k) {
+      std::vector<Cell_index>& cells = m_moves[k];
       const bool label = m_labelling.label(cells.front());
       cells.erase(
         std::remove_if(cells.begin(), cells.end(), [&](Cell_index c) { return Cell_complex::is_infinite(m_cells[c]); }),
         cells.end());
       if (cells.empty() || (is_filling && label))
         continue;
-      const double g = gain(cells);
-      moves.push_back(Move{ std::move(cells), 0, g });
+      std::vector<Cell_index>& all = with_label[label ? 1 : 0];
+      if (k < components)
+        all.insert(all.end(), cells.begin(), cells.end());
+      moves.push_back(move_of(std::move(cells)));
     }
-    std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.gain > b.gain; });
+    for (std::vector<Cell_index>& cells : with_label)
+      if (!cells.empty())
+        moves.push_back(move_of(std::move(cells)));
+    std::stable_sort(moves.begin(), moves.end(), is_better);
     m_best = moves.empty() ? Move{ {}, 0, 0. } : std::move(moves[is_filling ? 0 : changes % moves.size()]);
     return m_best.cells;
   }
