@@ -201,8 +201,12 @@ private:
         if (box.contains(m_points[v])) {
           result = ++points > MAXIMUM_POINTS;
           m_builder.for_each_triangle_at(v, [&](const Triangle& t) {
-            m_tests += result ? 0u : 1u;
-            result = result || crosses(exchange, t);
+            // Once: at its smallest vertex in the box.
+            if (result ||
+                std::any_of(t.begin(), t.end(), [&](Point_index w) { return w < v && box.contains(m_points[w]); }))
+              return;
+            ++m_tests;
+            result = crosses(exchange, t);
           });
         }
       return !result;
