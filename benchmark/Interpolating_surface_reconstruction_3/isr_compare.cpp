@@ -24,6 +24,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -117,6 +118,8 @@ Options parse(int argc, char** argv)
   }
   if (options.paths.empty() || (options.measure_memory && options.paths.size() != 1))
     throw std::invalid_argument("file missing");
+  if (!(options.noise >= 0. && std::isfinite(options.noise)))
+    throw std::invalid_argument("--noise: not a share of an edge");
   if (names.empty())
     names = { "af", "ctc", "pcr" };
   options.methods = methods_of_names(names, keep_boundaries);

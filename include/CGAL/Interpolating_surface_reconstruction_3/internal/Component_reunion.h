@@ -64,12 +64,16 @@ public:
     bool is_changed = false;
     try {
       Near_components<Builder> near(m_points, m_octree, m_builder, progress, cancellation_point);
+      m_has_found = !near.groups().empty();
       for (const std::vector<Point_index>& group : near.groups())
         is_changed = unite(group, near, progress, cancellation_point) || is_changed;
     } catch (const Cancelled&) {
     }
     return is_changed;
   }
+
+  // Whether the last call has found components that are near to each other.
+  bool has_found_components() const { return m_has_found; }
 
 private:
   using Triangles = typename Near_components<Builder>::Triangles;
@@ -143,6 +147,7 @@ private:
   const Point_octree_3& m_octree;
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
+  bool m_has_found = false;
 };
 
 } // namespace internal

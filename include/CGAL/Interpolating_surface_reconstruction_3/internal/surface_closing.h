@@ -87,8 +87,8 @@ public:
     if (m_options.closes_all_loops()) {
       open_bores();
       recover_corners();
-      reunite_components();
-      join_components();
+      if (reunite_components())
+        join_components();
     }
     m_triangulation.clear(); // nothing needs it any more
     if (m_options.keep_boundaries)
@@ -188,11 +188,13 @@ private:
       m_unused = m_insert(m_progress);
   }
 
-  void reunite_components()
+  // Returns whether there may be components to join.
+  bool reunite_components()
   {
     Component_reunion<ConcurrencyTag, Builder> reunite(m_points, m_octree, m_builder, m_triangulation);
     if (reunite(m_progress))
       m_unused = m_insert(m_progress);
+    return reunite.has_found_components();
   }
 
   void join_components()
