@@ -66,7 +66,7 @@ public:
                Cancellation_point& cancellation_point)
     : m_points(std::move(points))
   {
-    // What stays is allocated before the triangulation, so that the system gets the memory of that back.
+    // What stays, but for the cells, is allocated before the triangulation, so that the system gets its memory back.
     std::sort(m_points.begin(), m_points.end());
     tabulate_positions();
     Site_triangulation triangulation(positions);

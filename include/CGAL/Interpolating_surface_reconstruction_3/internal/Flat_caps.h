@@ -81,8 +81,8 @@ private:
   {
     Cap cap;
     std::vector<Ends> rim; // edges
-    double longest = 0., area = 0.,
-           diameter = 0.; // squares: of edges of the rim, of the largest triangle, of its circle
+    // Squares: of the longest edge of the rim, of the largest triangle, and of its circle.
+    double longest = 0., area = 0., diameter = 0.;
   };
 
   Local_vector doubled_area_vector(const Triangle& t) const
