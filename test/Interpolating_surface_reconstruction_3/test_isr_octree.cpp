@@ -1,6 +1,8 @@
 #include "isr_stage_test_utils.h"
 
+#include <array>
 #include <iostream>
+#include <new>
 
 using namespace isr_stage_test;
 using ISR::internal::Local_box;
@@ -138,9 +140,25 @@ void test_box()
   assert((large.low == std::array<double, 3>{ -1, -1, -1 }) && (large.high == std::array<double, 3>{ 2, 3, 4 }));
 }
 
+// Whatever was in the memory of the box before.
+void test_box_of_points()
+{
+  for (int value : { 0, 0x7f, 0xc0 }) {
+    alignas(Local_box) std::array<unsigned char, sizeof(Local_box)> memory;
+    memory.fill(static_cast<unsigned char>(value));
+    Local_box& box = *new (memory.data()) Local_box;
+    assert(!box.contains(Local_point(0, 0, 0)) && !box.overlaps(Local_box{ { -9, -9, -9 }, { 9, 9, 9 } }));
+    box.include(Local_point(1, 2, 3));
+    assert((box.low == std::array<double, 3>{ 1, 2, 3 }) && box.high == box.low);
+    box.include(Local_point(3, 0, 4));
+    assert((box.low == std::array<double, 3>{ 1, 0, 3 }) && (box.high == std::array<double, 3>{ 3, 2, 4 }));
+  }
+}
+
 int main()
 {
   test_box();
+  test_box_of_points();
   test_invariants();
   test_hard_inputs();
   test_overlapping_leaves();

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +30,9 @@ namespace internal {
 // An axis-aligned box; bounds are included.
 struct Local_box
 {
-  std::array<double, 3> low, high;
+  static constexpr double FAR = std::numeric_limits<double>::infinity();
+
+  std::array<double, 3> low{ { FAR, FAR, FAR } }, high{ { -FAR, -FAR, -FAR } }; // contains nothing
 
   void include(const Local_point& p)
   {
@@ -233,9 +236,7 @@ private:
     for (std::size_t i = m_nodes.size(); i-- != 0;) {
       Node& n = m_nodes[i];
       if (n.number_of_children == 0) {
-        const Local_point& p = m_points[n.begin];
-        n.box = Local_box{ { p.x(), p.y(), p.z() }, { p.x(), p.y(), p.z() } };
-        for (Point_index j = n.begin + 1; j != n.end; ++j)
+        for (Point_index j = n.begin; j != n.end; ++j)
           n.box.include(m_points[j]);
         m_leaves.push_back(static_cast<std::uint32_t>(i));
         continue;
