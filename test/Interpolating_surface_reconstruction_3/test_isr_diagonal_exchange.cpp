@@ -4,6 +4,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 using namespace isr_test;
@@ -68,6 +69,35 @@ void test_crease()
   ISR_CHECK(has_edge(exchange_diagonals(s), 0, 2));
 }
 
+// A roof with its ridge from 0 to 2 that bends by the given angle there, but for the triangles that meet in the edge from
+// 1 to 3, whose circles are smaller.
+bool has_ridge(double angle, bool has_stars)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Points points{ Point(0, 0, 0), Point(1, 1, 0), Point(2, 0, 0),           Point(1, -c, -s),
+                       Point(0, 2, 0), Point(2, 2, 0), Point(0, -2 * c, -2 * s), Point(2, -2 * c, -2 * s) };
+  const Triples triples{ { 0, 1, 3 }, { 1, 2, 3 }, { 0, 4, 1 }, { 1, 5, 2 }, { 0, 3, 6 }, { 2, 7, 3 } };
+  Hand_surface surface(points, has_stars ? links_of(points.size(), triples) : Links());
+  ISR_CHECK(has_stars || surface.add(triples));
+  const Triples result = exchange_diagonals(surface);
+  ISR_CHECK_EQUAL(result.size(), triples.size());
+  ISR_CHECK(has_edge(result, 0, 2) != has_edge(result, 1, 3));
+  return has_edge(result, 0, 2);
+}
+
+void test_ridge()
+{
+  for (bool has_stars : { false, true }) {
+    begin_case(has_stars ? "a ridge that stars have cut off" : "a ridge that is cut off");
+    ISR_CHECK(has_ridge(CGAL_PI / 2, has_stars));
+    ISR_CHECK(has_ridge(CGAL_PI / 4, has_stars));
+    begin_case("less than 30 degrees are no ridge");
+    ISR_CHECK(!has_ridge(CGAL_PI / 7, has_stars));
+    begin_case("smaller circles count more than a sharp ridge");
+    ISR_CHECK(!has_ridge(CGAL_PI * .9, has_stars));
+  }
+}
+
 // The squares of sheet() become parallelograms. Their diagonals are the longer ones if the shear is positive.
 Mesh sheared_sheet(std::size_t m, double shear)
 {
@@ -100,6 +130,7 @@ int main()
   test_shorter_diagonal();
   test_crossing();
   test_crease();
+  test_ridge();
   begin_case("every parallelogram of a sheet");
   test_sheet(.3, false, true);
   begin_case("none, where diagonals are short");

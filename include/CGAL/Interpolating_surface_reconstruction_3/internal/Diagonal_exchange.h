@@ -37,9 +37,11 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Exchanges diagonals of the quadrangles that two triangles make where the other diagonal is better in every respect:
-// the larger of the two circles through three points becomes smaller, as where stars decide (Star_diagonals), and the
-// surface bends less at the edges of the quadrangle, or as little. Labels and loops are chosen by bending alone.
+// Exchanges diagonals of the quadrangles that two triangles make where the other diagonal is better. Labels and loops are
+// chosen by bending alone, so where they decided, it must be better in every respect: the larger of the two circles
+// through three points becomes smaller, as where stars decide (Star_diagonals), and the surface bends less at the edges
+// of the quadrangle, or as little. Stars decide by circles alone and cut off creases: everywhere, a diagonal becomes a
+// crease if the surface bends less by a larger factor than that by which the squares of the circles grow.
 template <typename Builder>
 class Diagonal_exchange
 {
@@ -50,21 +52,17 @@ public:
     : m_points(points), m_octree(octree), m_builder(builder)
   { }
 
-  // Looks at the edges of open points only: at others the stars have decided. Ends early if cancelled.
+  // Ends early if cancelled.
   template <typename Progress>
   void operator()(Progress& progress)
   {
     Cancellation_point<Progress> cancellation_point(progress);
     try {
-      const std::vector<Point_index> open_points = m_builder.open_points(); // others are opened
-      for (Point_index p : open_points) {
+      for (Point_index p = 0; p != m_builder.number_of_points(); ++p) {
         cancellation_point();
-        m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
-          if (m_builder.compatibility().stars().view(p, t[1], t[2]) != Star_table::View::ABSENT)
-            return;
-          push(p, t[1]);
-          push(p, t[2]);
-        });
+        push_creases(p);
+        if (m_builder.is_open(p))
+          push_undecided(p);
       }
       for (std::size_t k = MAXIMUM_LOOKS * m_queue.size(); k != 0 && !m_queue.empty(); --k) {
         cancellation_point(1 + MICROSECONDS_PER_TEST * std::exchange(m_tests, 0));
@@ -78,7 +76,7 @@ public:
   }
 
 private:
-  // Of the diagonal pq for rs, and by which share the square of the larger circle becomes smaller.
+  // Of the diagonal pq for rs, and by which share the product of the bending and the square of the larger circle falls.
   struct Exchange
   {
     double gain;
@@ -90,6 +88,15 @@ private:
   };
 
   using Neighbors = std::array<Point_index, 2>;
+
+  // Of 30 degrees. Of a smooth surface even coarse samples bend less at most edges.
+  static constexpr double SQUARED_COSINE_OF_CREASE = 0.75;
+
+  // Of the squares of circles for a crease. A surface hardly ever bends less by more than half.
+  static constexpr double MAXIMUM_GROWTH = 2.;
+
+  // For a crease. Where the two diagonals are about as good, that of the stars stays.
+  static constexpr double LEAST_GAIN = 0.1;
 
   // At the edges, on the average: nearly equal circles of rounded points could lead round and round.
   static constexpr std::size_t MAXIMUM_LOOKS = 16;
@@ -106,19 +113,85 @@ private:
       m_queue.push(*exchange);
   }
 
+  // The edges from p to points after it whose quadrangle has a crease along the other diagonal.
+  void push_creases(Point_index p)
+  {
+    if (m_builder.is_open(p))
+      push_creases_of_triangles(p);
+    else
+      push_creases_of_star(p);
+  }
+
+  // At most points: the star is closed, and its triangles are those of the surface.
+  void push_creases_of_star(Point_index p)
+  {
+    const Star_table& stars = m_builder.compatibility().stars();
+    Point_index before = stars.neighbor(stars.end(p) - 1);
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s) {
+      const Point_index q = stars.neighbor(s);
+      if (p < q && is_crease(before, stars.neighbor(stars.next(p, s)), p, q))
+        push(p, q);
+      before = q;
+    }
+  }
+
+  void push_creases_of_triangles(Point_index p)
+  {
+    m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+      for (Point_index q : { t[1], t[2] }) {
+        const Neighbors opposite = opposite_vertices(p, q);
+        if (p < q && opposite[1] != NO_POINT && is_crease(opposite[0], opposite[1], p, q))
+          push(p, q);
+      }
+    });
+  }
+
+  // The edges of triangles at p that its star has not.
+  void push_undecided(Point_index p)
+  {
+    m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+      if (is_decided(p, t[1], t[2]))
+        return;
+      push(p, t[1]);
+      push(p, t[2]);
+    });
+  }
+
+  bool is_decided(Point_index p, Point_index q, Point_index r) const
+  {
+    return m_builder.compatibility().stars().view(p, q, r) != Star_table::View::ABSENT;
+  }
+
+  // Whether the surface would bend so much at the edge pq of triangles with r and with s.
+  bool is_crease(Point_index p, Point_index q, Point_index r, Point_index s) const
+  {
+    const Local_vector edge = m_points[q] - m_points[p];
+    const Local_vector n = cross_product(edge, m_points[r] - m_points[p]),
+                       m = cross_product(m_points[s] - m_points[p], edge);
+    const double product = n * m;
+    return product <= 0. || product * product < SQUARED_COSINE_OF_CREASE * n.squared_length() * m.squared_length();
+  }
+
   // The exchange of the edge pq of the surface; none if it had better stay.
   std::optional<Exchange> evaluate(Point_index p, Point_index q) const
   {
     const Neighbors opposite = opposite_vertices(p, q);
     const Point_index r = (std::min)(opposite[0], opposite[1]), s = (std::max)(opposite[0], opposite[1]);
-    if (s == NO_POINT || r == s)
+    if (s == NO_POINT || r == s || is_edge(r, s))
       return std::nullopt;
     const Local_point &a = m_points[p], &b = m_points[q], &c = m_points[r], &d = m_points[s];
-    if (!is_first_diagonal_better(c, a, d, b) || is_edge(r, s) || bends_more(p, q, r, s))
+    const double circles = (std::max)(squared_circumdiameter(c, d, a), squared_circumdiameter(c, d, b)) /
+                           (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, b, d));
+    const bool may_be_crease = circles < MAXIMUM_GROWTH && is_crease(r, s, p, q),
+               has_smaller_circles = is_first_diagonal_better(c, a, d, b);
+    if (!may_be_crease && !has_smaller_circles)
       return std::nullopt;
-    return Exchange{ 1. - (std::max)(squared_circumdiameter(c, d, a), squared_circumdiameter(c, d, b)) /
-                            (std::max)(squared_circumdiameter(a, b, c), squared_circumdiameter(a, b, d)),
-                     p, q, r, s };
+    const Bending bending = bending_around(p, q, r, s);
+    const double gain = 1. - circles * (bending.is_present() ? bending.after / bending.before : 1.);
+    if ((may_be_crease && bending.after < bending.before && gain > LEAST_GAIN) ||
+        (has_smaller_circles && !bending.grows()))
+      return Exchange{ gain, p, q, r, s };
+    return std::nullopt;
   }
 
   // Third vertices of the first two triangles at the edge, NO_POINT in place of those that are missing.
@@ -134,22 +207,30 @@ private:
 
   bool is_edge(Point_index p, Point_index q) const { return opposite_vertices(p, q)[0] != NO_POINT; }
 
-  // Whether the surface bends more at the edges of the quadrangle and at its diagonal if this is rs in place of pq:
-  // the sum of lengths times angles.
-  bool bends_more(Point_index p, Point_index q, Point_index r, Point_index s) const
+  // Sums over the edges of a quadrangle and its diagonal: lengths times angles before and after an exchange.
+  struct Bending
   {
-    double present = bending(p, q, r, s), other = bending(r, s, p, q), lengths = length(p, q) + length(r, s);
+    double before, after, lengths;
+
+    bool is_present() const { return before > ROUNDING_OF_SIX_DIGITS * lengths; }
+    bool grows() const { return after > before + ROUNDING_OF_SIX_DIGITS * lengths; }
+  };
+
+  // Of the exchange of pq for rs.
+  Bending bending_around(Point_index p, Point_index q, Point_index r, Point_index s) const
+  {
+    Bending result{ bending(p, q, r, s), bending(r, s, p, q), length(p, q) + length(r, s) };
     for (const Neighbors& ends : { Neighbors{ { p, q } }, Neighbors{ { q, p } } })
       for (const Neighbors& sides : { Neighbors{ { r, s } }, Neighbors{ { s, r } } }) {
         const Neighbors opposite = opposite_vertices(ends[0], sides[0]);
-        lengths += length(ends[0], sides[0]);
+        result.lengths += length(ends[0], sides[0]);
         const Point_index beyond = opposite[0] == ends[1] ? opposite[1] : opposite[0];
         if (beyond == NO_POINT)
           continue;
-        present += bending(ends[0], sides[0], ends[1], beyond);
-        other += bending(ends[0], sides[0], sides[1], beyond);
+        result.before += bending(ends[0], sides[0], ends[1], beyond);
+        result.after += bending(ends[0], sides[0], sides[1], beyond);
       }
-    return other > present + ROUNDING_OF_SIX_DIGITS * lengths;
+    return result;
   }
 
   double bending(Point_index p, Point_index q, Point_index r, Point_index s) const
