@@ -98,6 +98,21 @@ void test_ridge()
   }
 }
 
+// The same roof on a closed surface: all of its stars are closed.
+void test_ridge_of_closed_surface()
+{
+  begin_case("a ridge that closed stars have cut off");
+  const Points points{ Point(0, 0, 0), Point(1, 1, 0),  Point(2, 0, 0),  Point(1, 0, -1),    Point(0, 2, 0),
+                       Point(2, 2, 0), Point(0, 0, -2), Point(2, 0, -2), Point(1, 2.5, -2.5) };
+  const Triples triples{ { 0, 1, 3 }, { 1, 2, 3 }, { 0, 4, 1 }, { 1, 5, 2 }, { 0, 3, 6 }, { 2, 7, 3 }, { 4, 0, 8 },
+                         { 1, 4, 8 }, { 5, 1, 8 }, { 2, 5, 8 }, { 7, 2, 8 }, { 3, 7, 8 }, { 6, 3, 8 }, { 0, 6, 8 } };
+  Hand_surface surface(points, links_of(points.size(), triples));
+  ISR_CHECK(surface.builder.open_points().empty());
+  const Triples result = exchange_diagonals(surface);
+  ISR_CHECK_EQUAL(result.size(), triples.size());
+  ISR_CHECK(has_edge(result, 0, 2) && !has_edge(result, 1, 3));
+}
+
 // The squares of sheet() become parallelograms. Their diagonals are the longer ones if the shear is positive.
 Mesh sheared_sheet(std::size_t m, double shear)
 {
@@ -131,6 +146,7 @@ int main()
   test_crossing();
   test_crease();
   test_ridge();
+  test_ridge_of_closed_surface();
   begin_case("every parallelogram of a sheet");
   test_sheet(.3, false, true);
   begin_case("none, where diagonals are short");
