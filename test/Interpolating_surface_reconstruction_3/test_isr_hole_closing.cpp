@@ -1,4 +1,5 @@
 #include "isr_surface_test_utils.h"
+#include "isr_test_self_intersections.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
@@ -8,6 +9,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/point_insertion.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -324,15 +326,21 @@ void test_flat_sheet()
 }
 
 // Hills and valleys, or one hill; stars end along the outline, which lies in a plane.
-Mesh hills(bool has_valleys)
+template <typename IsHole>
+Mesh hills(bool has_valleys, const IsHole& is_hole)
 {
   constexpr std::size_t M = 24;
-  Mesh mesh = sheet(M);
+  Mesh mesh = sheet(M, is_hole);
   for (Point& p : mesh.points) {
     const double k = (has_valleys ? 4. : 1.) * PI / double(M);
     p = Point(p.x(), p.y(), 4. * std::sin(k * p.x()) * std::sin(k * p.y()));
   }
   return mesh;
+}
+
+Mesh hills(bool has_valleys)
+{
+  return hills(has_valleys, [](std::size_t, std::size_t) { return false; });
 }
 
 // A flat lid closes the outline, but goes through the surface where it passes from hills to valleys.
@@ -365,6 +373,55 @@ void test_crossing_lid()
   Hand_surface u(conflicts.points, links_of(conflicts.points.size(), conflicts.triples));
   ISR_CHECK(close(u));
   ISR_CHECK_EQUAL(u.triangles().size(), valleys.triples.size() + size - 2);
+}
+
+// Rings of points around the z axis, each connected to the next one, without symmetries. Each is a radius and a height.
+Mesh rings(const std::vector<std::array<double, 2> >& profile)
+{
+  constexpr std::size_t N = 12;
+  Mesh mesh;
+  for (std::size_t i = 0; i != profile.size(); ++i)
+    for (std::size_t j = 0; j != N; ++j) {
+      const double angle = 2. * PI * (double(j) + .5 * double(i % 2)) / double(N);
+      mesh.points.emplace_back(profile[i][0] * std::cos(angle), profile[i][0] * std::sin(angle), profile[i][1]);
+    }
+  for (std::size_t i = 0; i + 1 != profile.size(); ++i)
+    for (std::size_t j = 0; j != N; ++j) {
+      const std::size_t a = i * N + j, b = i * N + (j + 1) % N, c = a + N, d = b + N;
+      mesh.triples.push_back(i % 2 == 0 ? Triple{ a, b, c } : Triple{ a, b, d });
+      mesh.triples.push_back(i % 2 == 0 ? Triple{ b, d, c } : Triple{ a, d, c });
+    }
+  mesh.points = with_noise(mesh.points, .02, 7);
+  return mesh;
+}
+
+// A lid that crosses the surface stays if a loop that is as long has a lid that does not.
+void test_crossing_lid_of_closed_surface()
+{
+  // From its upper end, the surface leans inward and passes through it.
+  begin_case("a lid that crosses, and one that does not");
+  const Mesh funnel =
+    rings({ { 2., 0. }, { 1.4, .7 }, { .8, .4 }, { .7, -.5 }, { 1.4, -1. }, { 3., -1.6 }, { 5., -3. } });
+  Hand_surface s(funnel.points, links_of(funnel.points.size(), funnel.triples));
+  ISR_CHECK(!has_self_intersection(funnel.points, s.triangles()));
+  ISR_CHECK_EQUAL(loops_of(s).size(), 2u);
+  Hole_closing<Builder> closing(s.cloud.positions(), s.builder, UNLIMITED);
+  ISR_CHECK(closing(no_boundary, no_progress, ignore_verdict));
+  ISR_CHECK(loops_of(s).empty());
+  ISR_CHECK(!closing.has_crossing_lids());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(s.triangles()), 2);
+  ISR_CHECK(has_self_intersection(funnel.points, s.triangles()));
+
+  begin_case("a lid that crosses, and a shorter one that does not");
+  const auto is_between = [](std::size_t i) { return 7 <= i && i < 10; };
+  const Mesh valleys = hills(true, [&](std::size_t i, std::size_t j) { return is_between(i) && is_between(j); });
+  Hand_surface u(valleys.points, links_of(valleys.points.size(), valleys.triples));
+  ISR_CHECK_EQUAL(loops_of(u).size(), 2u);
+  const std::size_t hole = loops_of(u)[0].size(), outline = loops_of(u)[1].size();
+  ISR_CHECK(close(u));
+  ISR_CHECK_EQUAL(loops_of(u).size(), 1u);
+  ISR_CHECK_EQUAL(loops_of(u)[0].size(), outline);
+  ISR_CHECK_EQUAL(u.triangles().size(), valleys.triples.size() + hole - 2);
 }
 
 // Loops that are left, but for those that are to stay.
@@ -539,6 +596,25 @@ void test_insertion()
   ISR_CHECK(test_one_point("far beyond a corner", Point(-30., -20., 0.), 1).size() == 3);
 }
 
+// The nearest triangle is that of test_insertion(), but a triangle between it and the point stands in the way.
+void test_insertion_without_crossing()
+{
+  begin_case("crossing where it is nearest");
+  Mesh mesh = sheet(6);
+  const std::size_t first = mesh.points.size();
+  append(mesh.points, { Point(2.6, 3.35, .01), Point(2.6, 3.35, .15), Point(2.65, 3.4, .15) });
+  mesh.triples.push_back(Triple{ first, first + 1, first + 2 });
+  Links links = links_of(mesh.points.size(), mesh.triples);
+  mesh.points.emplace_back(2.95, 3.1, .2);
+  links.emplace_back();
+  Hand_surface s(mesh.points, links);
+  ISR_CHECK_EQUAL(insert_points(s), 0u);
+  const Triples triples = s.triangles();
+  ISR_CHECK_EQUAL(triples.size(), mesh.triples.size() + 2);
+  ISR_CHECK(is_manifold(s, mesh.points));
+  ISR_CHECK(!has_self_intersection(mesh.points, triples));
+}
+
 void test_insertion_of_many()
 {
   for (std::uint64_t seed : { 1u, 2u, 3u }) {
@@ -596,12 +672,14 @@ int main()
   test_faces_with_holes();
   test_flat_sheet();
   test_crossing_lid();
+  test_crossing_lid_of_closed_surface();
   test_failed_loops();
   test_islands();
   test_maximum_size();
   test_largest_fans();
   test_many_holes();
   test_insertion();
+  test_insertion_without_crossing();
   test_insertion_of_many();
   test_no_surface_to_insert_into();
   return result();

@@ -15,12 +15,12 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Crossing_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Progress.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flatness.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_measures.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ public:
   using Triangle = typename Builder::Triangle;
 
   Diagonal_exchange(const std::vector<Local_point>& points, const Point_octree_3& octree, Builder& builder)
-    : m_points(points), m_octree(octree), m_builder(builder)
+    : m_points(points), m_builder(builder), m_crosses(points, octree, builder)
   { }
 
   // Ends early if cancelled.
@@ -65,7 +65,7 @@ public:
           push_undecided(p);
       }
       for (std::size_t k = MAXIMUM_LOOKS * m_queue.size(); k != 0 && !m_queue.empty(); --k) {
-        cancellation_point(1 + MICROSECONDS_PER_TEST * std::exchange(m_tests, 0));
+        cancellation_point(1 + m_crosses.take_microseconds());
         const Exchange exchange = m_queue.top();
         m_queue.pop();
         if (evaluate(exchange.p, exchange.q) == exchange) // as it was when it was pushed
@@ -100,12 +100,6 @@ private:
 
   // At the edges, on the average: nearly equal circles of rounded points could lead round and round.
   static constexpr std::size_t MAXIMUM_LOOKS = 16;
-
-  // In the box of a quadrangle, which has few but on a lid over other parts of the surface.
-  static constexpr std::size_t MAXIMUM_POINTS = 256;
-
-  // Of two pairs of triangles, whose rounded coordinates may not tell whether they cross.
-  static constexpr std::size_t MICROSECONDS_PER_TEST = 4;
 
   void push(Point_index p, Point_index q)
   {
@@ -266,56 +260,20 @@ private:
     m_builder.restore(old_second);
   }
 
-  // Whether a new triangle crosses others with vertices near the quadrangle, or is degenerate.
   bool crosses_surface(const Exchange& exchange)
   {
     const auto [gain, p, q, r, s] = exchange;
-    if (is_collinear(Triangle{ { r, s, p } }) || is_collinear(Triangle{ { s, r, q } }))
-      return true;
-    Local_box box;
-    for (Point_index v : { p, q, r, s })
-      box.include(m_points[v]);
-    bool result = false;
-    std::size_t points = 0;
-    m_octree.for_each_leaf_overlapping(box, [&](const Point_octree_3::Node& leaf) {
-      for (Point_index v = leaf.begin; v != leaf.end && !result; ++v)
-        if (box.contains(m_points[v])) {
-          result = ++points > MAXIMUM_POINTS;
-          m_builder.for_each_triangle_at(v, [&](const Triangle& t) {
-            // Once: at its smallest vertex in the box.
-            if (result ||
-                std::any_of(t.begin(), t.end(), [&](Point_index w) { return w < v && box.contains(m_points[w]); }))
-              return;
-            ++m_tests;
-            result = crosses(exchange, t);
-          });
-        }
-      return !result;
+    const std::array<Triangle, 2> added{ Triangle{ { r, s, p } }, Triangle{ { s, r, q } } };
+    return m_crosses(added, [p = p, q = q](const Triangle& t) {
+      const auto has = [&](Point_index v) { return std::find(t.begin(), t.end(), v) != t.end(); };
+      return !(has(p) && has(q));
     });
-    return result;
-  }
-
-  bool crosses(const Exchange& exchange, const Triangle& t) const
-  {
-    const auto [gain, p, q, r, s] = exchange;
-    const auto has = [&](Point_index v) { return std::find(t.begin(), t.end(), v) != t.end(); };
-    const auto point = [&](Point_index v) { return exact_point(m_points[v]); };
-    return !(has(p) && has(q)) && !is_collinear(t) &&
-           (do_triangles_cross(Triangle{ { r, s, p } }, t, point) ||
-            do_triangles_cross(Triangle{ { s, r, q } }, t, point));
-  }
-
-  // As only predicates that are not exact take for a triangle, or with rounded positions.
-  bool is_collinear(const Triangle& t) const
-  {
-    return collinear(exact_point(m_points[t[0]]), exact_point(m_points[t[1]]), exact_point(m_points[t[2]]));
   }
 
   const std::vector<Local_point>& m_points;
-  const Point_octree_3& m_octree;
   Builder& m_builder;
+  Crossing_test<Builder> m_crosses;
   std::priority_queue<Exchange> m_queue;
-  std::size_t m_tests = 0; // of triangles that may cross, since the last poll
 };
 
 } // namespace internal

@@ -23,6 +23,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Sites_around_doubts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/island_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/labelled_surface.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/orientation.h>
@@ -214,9 +215,17 @@ private:
     const double area = surface_area(m_points, sides.triangles()),
                  growth = surface_area(m_points, exchange.added) - surface_area(m_points, exchange.removed);
     const std::size_t size = sides.triangles().size() + exchange.added.size() - exchange.removed.size();
-    return !exchange.added.empty() && area + growth <= MAXIMUM_GROWTH * area &&
+    return (!exchange.added.empty() || is_vanishing_island(exchange, sides)) &&
+           area + growth <= MAXIMUM_GROWTH * area &&
            exchange_triangles(m_builder, exchange.removed, std::move(exchange.added), size / PART_LEFT_OUT,
                               cancellation_point);
+  }
+
+  // Whether all of the component goes, which is no body then, and its points belong to what is around.
+  bool is_vanishing_island(const Exchange& exchange, const Surface_sides& sides) const
+  {
+    return exchange.removed.size() == sides.triangles().size() && m_sites.incomplete().empty() &&
+           are_among_others(m_builder.compatibility().stars(), m_component);
   }
 
   // Those of the surface between sites.

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Face_filler.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Parity_union_find.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Star_table.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/flat_sheet.h>
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -218,7 +220,7 @@ private:
       } else if (!is_filled)
         failed.push_back(loop);
     }
-    remove_crossing_lids(lids, cancellation_point);
+    remove_crossing_lids(std::move(lids), cancellation_point);
     return failed;
   }
 
@@ -238,9 +240,10 @@ private:
     return (points - m_builder.compatibility().number_of_agreed_points()) * PART_OF_CONFLICTS <= points;
   }
 
-  // Such a loop stays open if what fills it crosses the surface, as that of the outline of a terrain may.
+  // Such a loop stays open if what fills it crosses the surface, as that of the outline of a terrain may, unless one that
+  // is as long or longer has been filled in the same part: that surface does not stay open.
   template <typename CancellationPoint>
-  void remove_crossing_lids(const std::vector<Lid>& lids, CancellationPoint& cancellation_point)
+  void remove_crossing_lids(std::vector<Lid> lids, CancellationPoint& cancellation_point)
   {
     using Index = typename Builder::Triangle_index;
     using Triangle = typename Builder::Triangle;
@@ -257,20 +260,41 @@ private:
         static_cast<Index>(lids.front().begin), is_of_lid,
         [&](const Triangle& t, const Triangle&) { crossing.push_back(t); }, cancellation_point);
     std::sort(crossing.begin(), crossing.end());
-    for (const Lid& lid : lids) {
-      const auto crosses = [&](std::size_t t) {
-        return std::binary_search(crossing.begin(), crossing.end(), m_builder.triangle(static_cast<Index>(t)));
-      };
-      std::size_t t = lid.begin;
-      while (t != lid.end && !crosses(t))
-        ++t;
-      if (t == lid.end)
+    const auto crosses = [&](const Lid& lid) {
+      for (std::size_t t = lid.begin; t != lid.end; ++t)
+        if (std::binary_search(crossing.begin(), crossing.end(), m_builder.triangle(static_cast<Index>(t))))
+          return true;
+      return false;
+    };
+    const auto end_of_crossing = std::stable_partition(lids.begin(), lids.end(), crosses);
+    for (auto lid = end_of_crossing; lid != lids.end(); ++lid)
+      m_filled_ends.push_back(lid->loop);
+    const auto longest = longest_filled_ends();
+    for (auto lid = lids.begin(); lid != end_of_crossing; ++lid) {
+      const auto filled = longest.find(part_at(lid->loop.front()));
+      if (filled != longest.end() && filled->second >= lid->loop.size())
         continue;
-      for (t = lid.begin; t != lid.end; ++t)
+      for (std::size_t t = lid->begin; t != lid->end; ++t)
         m_builder.remove(static_cast<Index>(t));
-      m_with_crossing_lids.push_back(sorted(lid.loop));
+      m_with_crossing_lids.push_back(sorted(lid->loop));
     }
     std::sort(m_with_crossing_lids.begin(), m_with_crossing_lids.end());
+  }
+
+  using Part = Parity_union_find::Element;
+
+  // Triangles are in one part if they have been connected once.
+  Part part_at(Point_index p) { return m_builder.orientation(m_builder.corners(p).front().triangle).root; }
+
+  std::map<Part, std::size_t> longest_filled_ends()
+  {
+    std::map<Part, std::size_t> result;
+    for (const Boundary_loop& loop : m_filled_ends)
+      if (!m_builder.corners(loop.front()).empty()) {
+        std::size_t& longest = result[part_at(loop.front())];
+        longest = (std::max)(longest, loop.size());
+      }
+    return result;
   }
 
   bool has_crossing_lid(const Boundary_loop& loop) const
@@ -397,6 +421,7 @@ private:
   Hole_filler<Builder> m_fill;
   std::vector<typename Builder::Triangle> m_removed; // in this order, to be restored
   std::vector<Boundary_loop> m_with_crossing_lids;   // stay open; sorted in themselves and among each other
+  std::vector<Boundary_loop> m_filled_ends;          // at which the stars say that the surface ends
 };
 
 } // namespace internal

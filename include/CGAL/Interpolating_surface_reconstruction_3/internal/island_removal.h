@@ -26,6 +26,17 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
+// Whether each of the points, which are increasing, has others in its star.
+inline bool are_among_others(const Star_table& stars, const std::vector<Point_index>& points)
+{
+  return std::all_of(points.begin(), points.end(), [&](Point_index p) {
+    for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
+      if (stars.neighbor(s) != NO_POINT && !std::binary_search(points.begin(), points.end(), stars.neighbor(s)))
+        return true;
+    return false;
+  });
+}
+
 // Removes the islands of a surface: components without an agreed point that has kept its star, all of whose
 // points have a point of another component in their star. No chart vouches for an island, and every chart on
 // it says that it belongs to its surroundings; its points are left to the insertion of points.
@@ -41,7 +52,7 @@ public:
     const std::vector<Point_index> open_points = m_builder.open_points();
     for (Point_index p : open_points)
       if (!m_is_visited[p] && !is_vouched_for(p) && !m_builder.corners(p).empty() && find_component(p) &&
-          is_reached_from_outside())
+          are_among_others(m_builder.compatibility().stars(), m_component))
         remove_component();
   }
 
@@ -76,18 +87,6 @@ private:
     }
     std::sort(m_component.begin(), m_component.end());
     return is_island;
-  }
-
-  bool is_reached_from_outside() const
-  {
-    const Star_table& stars = m_builder.compatibility().stars();
-    return std::all_of(m_component.begin(), m_component.end(), [&](Point_index p) {
-      for (Star_table::Slot s = stars.begin(p); s != stars.end(p); ++s)
-        if (stars.neighbor(s) != NO_POINT &&
-            !std::binary_search(m_component.begin(), m_component.end(), stars.neighbor(s)))
-          return true;
-      return false;
-    });
   }
 
   void remove_component()

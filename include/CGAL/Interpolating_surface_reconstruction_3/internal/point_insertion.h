@@ -15,6 +15,7 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/Default_visitor.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Crossing_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Nearest_neighbors.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
@@ -28,14 +29,16 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Inserts the points that no triangle uses into the nearest triangle or edge of the surface.
+// Inserts the points that no triangle uses into the nearest triangle or edge of the surface at which that leads to no
+// crossing, or into the nearest one if there is none.
 template <typename Builder>
 class Point_insertion
 {
 public:
   Point_insertion(const std::vector<Local_point>& points, const Point_octree_3& octree, double maximum_radius,
                   Builder& builder)
-    : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius)
+    : m_points(points), m_builder(builder), m_neighbors(points, octree, maximum_radius),
+      m_crosses(points, octree, builder)
   { }
 
   // Returns the number of points that could not be inserted. Ends early if cancelled.
@@ -78,15 +81,21 @@ private:
 
   bool insert(Point_index p)
   {
-    for (const Target& target : targets(p)) {
-      if (is_crowded(target.triangle))
-        continue;
-      const bool is_inserted = target.edge == 3 ? split_triangle(p, target.triangle)
-                                                : split_edge(p, target) || split_triangle(p, target.triangle);
-      if (is_inserted)
-        return true;
-    }
-    return false;
+    const std::vector<Target> nearest = targets(p);
+    m_may_cross = false;
+    m_has_crossed = false;
+    if (insert(p, nearest))
+      return true;
+    m_may_cross = true;
+    return m_has_crossed && insert(p, nearest);
+  }
+
+  bool insert(Point_index p, const std::vector<Target>& nearest)
+  {
+    return std::any_of(nearest.begin(), nearest.end(), [&](const Target& target) {
+      return !is_crowded(target.triangle) &&
+             ((target.edge != 3 && split_edge(p, target)) || split_triangle(p, target.triangle));
+    });
   }
 
   // Whether a vertex has so many triangles that the gate, quadratic in them, would be slow.
@@ -141,7 +150,7 @@ private:
   // Replaces the triangle by three around the point.
   bool split_triangle(Point_index p, const Triangle& t)
   {
-    return replace({ t },
+    return replace(p, { t },
                    { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } });
   }
 
@@ -160,26 +169,37 @@ private:
       added.push_back(Triangle{ { s, v, p } });
       added.push_back(Triangle{ { p, u, s } });
     }
-    return replace(removed, added);
+    return replace(p, removed, added);
   }
 
-  // Exchanges the triangles, or none.
-  bool replace(const std::vector<Triangle>& removed, const std::vector<Triangle>& added)
+  // Exchanges the triangles for those around the point, or none.
+  bool replace(Point_index p, const std::vector<Triangle>& removed, const std::vector<Triangle>& added)
   {
     for (const Triangle& t : removed) {
-      for (Point_index p : t)
-        m_builder.open(p);
+      for (Point_index q : t)
+        m_builder.open(q);
       m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
     }
-    for (std::size_t i = 0; i != added.size(); ++i)
-      if (m_builder.try_add(added[i][0], added[i][1], added[i][2]) != Triangle_verdict::ADDED) {
-        while (i-- != 0)
-          m_builder.remove(m_builder.find_triangle(added[i][0], added[i][1], added[i][2]));
-        for (const Triangle& t : removed)
-          m_builder.restore(t);
-        return false;
-      }
-    return true;
+    std::size_t attached = 0;
+    while (attached != added.size() &&
+           m_builder.try_add(added[attached][0], added[attached][1], added[attached][2]) == Triangle_verdict::ADDED)
+      ++attached;
+    if (attached == added.size() && (m_may_cross || !crosses(p, added)))
+      return true;
+    while (attached-- != 0)
+      m_builder.remove(m_builder.find_triangle(added[attached][0], added[attached][1], added[attached][2]));
+    for (const Triangle& t : removed)
+      m_builder.restore(t);
+    return false;
+  }
+
+  // Of the triangles around the point.
+  bool crosses(Point_index p, const std::vector<Triangle>& triangles)
+  {
+    const bool result =
+      m_crosses(triangles, [p](const Triangle& t) { return std::find(t.begin(), t.end(), p) == t.end(); });
+    m_has_crossed = m_has_crossed || result;
+    return result;
   }
 
   static constexpr std::size_t MAXIMUM_PASSES = 4, MAXIMUM_DEGREE = 128;
@@ -193,6 +213,8 @@ private:
   const std::vector<Local_point>& m_points;
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
+  Crossing_test<Builder> m_crosses;
+  bool m_may_cross = false, m_has_crossed = false; // when the current point is inserted, and what was refused for that
 };
 
 } // namespace internal

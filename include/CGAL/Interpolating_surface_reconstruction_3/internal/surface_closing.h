@@ -100,8 +100,8 @@ public:
 private:
   using Triangle_index = typename Builder::Triangle_index;
 
-  // As long as each leaves at most half of the crossings, and two in any case.
-  static constexpr int PASSES = 2, MAXIMUM_PASSES = 8;
+  // As long as all but one find at most half of the crossings that the one before found.
+  static constexpr int MAXIMUM_PASSES = 8, PASSES_IN_VAIN = 2;
 
   Triangle_index next_triangle() const { return static_cast<Triangle_index>(m_builder.number_of_stored_triangles()); }
 
@@ -160,8 +160,8 @@ private:
     Crossing_removal<ConcurrencyTag, Builder> remove(m_points, m_normals, m_octree, m_options.maximum_radius, m_builder,
                                                      m_triangulation);
     Triangle_index first = m_first;
-    std::size_t crossings = 0;
-    for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
+    std::size_t crossings = (std::numeric_limits<std::size_t>::max)();
+    for (int pass = 0, in_vain = 0; pass != MAXIMUM_PASSES && in_vain != PASSES_IN_VAIN; ++pass) {
       const Triangle_index next = next_triangle();
       if (!remove(first, unclosed, m_progress))
         break;
@@ -169,8 +169,7 @@ private:
       close_loops();
       m_unused = m_insert(m_progress);
       first = next;
-      if (pass + 1 >= PASSES && 2 * remove.number_of_crossings() > crossings)
-        break;
+      in_vain += remove.number_of_crossings() > crossings / 2 ? 1 : 0;
       crossings = remove.number_of_crossings();
     }
   }
