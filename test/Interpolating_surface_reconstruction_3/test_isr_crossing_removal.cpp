@@ -168,6 +168,44 @@ void test_two_components()
   ISR_CHECK(validation::boundary_edges(triples).empty());
 }
 
+// Five points next to a globe with the surface of two tetrahedra, which may cross each other: new labels of their cells
+// may have no inside. Then the points are left to the globe, but only if they are in one star with its points.
+void test_island()
+{
+  const Mesh mesh = rough_globe(7, 9);
+  const std::size_t n = mesh.points.size();
+  std::size_t vanished = 0, changed = 0;
+  for (std::uint64_t seed = 1; seed != 100; ++seed)
+    for (const bool is_among_others : { true, false }) {
+      begin_case("island, seed " + std::to_string(seed) + (is_among_others ? "" : ", that no other points are near"));
+      Points points = mesh.points;
+      Links links = links_of(n, mesh.triples);
+      Random random(seed);
+      for (std::size_t i = 0; i != 5; ++i) {
+        points.push_back(Point(1.2, 0., 0.) + .1 * random.uniform(.5, 1.) * random.unit());
+        const auto next = [&](std::size_t k) { return Point_index(is_among_others ? 20 + k : n + (i + k) % 5); };
+        links.push_back(Link{ next(1), next(2), next(3) });
+      }
+      Hand_surface s(points, links);
+      Triples island;
+      for (std::size_t i = 0; i != 3; ++i) {
+        island.push_back(Triple{ n + i, n + (i + 1) % 3, n + 3 });
+        island.push_back(Triple{ n + (i + 1) % 3, n + i, n + 4 });
+      }
+      if (!s.add(island) || crossings_of(s, 0) == 0)
+        continue;
+      const bool is_changed = remove_crossings(s);
+      const std::size_t left = s.triangles().size() - mesh.triples.size();
+      ISR_CHECK_EQUAL(crossings_of(s, 0) == 0, is_changed);
+      ISR_CHECK(is_changed || !is_among_others);
+      ISR_CHECK(left == island.size() || (left == 0 && is_among_others));
+      vanished += left == 0 ? 1u : 0u;
+      changed += is_changed && left != 0 ? 1u : 0u;
+    }
+  ISR_CHECK(vanished != 0);
+  ISR_CHECK(changed != 0);
+}
+
 // A surface for another one with a triangle too many.
 void test_exchange()
 {
@@ -428,6 +466,7 @@ int main()
   test_triangles();
   test_spike();
   test_two_components();
+  test_island();
   test_exchange();
   test_left_alone();
   test_unclosed_loops();
