@@ -2,6 +2,7 @@
 #include "isr_test_self_intersections.h"
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Crossing_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
@@ -116,6 +117,50 @@ bool remove_crossings(Hand_surface& s, std::size_t first = 0, const std::vector<
   return Crossing_removal<CGAL::Sequential_tag, Builder>(positions, {}, octree, std::numeric_limits<double>::infinity(),
                                                          s.builder, triangulation)(
     static_cast<Builder::Triangle_index>(first), points, no_progress);
+}
+
+// Of a few triangles with a surface, near and far, flat and steep: the same as of all pairs.
+void test_few_triangles()
+{
+  std::size_t crossing = 0, all = 0;
+  for (std::uint64_t seed = 1; seed != 9; ++seed) {
+    begin_case("few triangles, seed " + std::to_string(seed));
+    Mesh mesh = globe(9, 14);
+    const std::size_t n = mesh.points.size();
+    append(mesh, globe(4, 5, Point(.2, .1, 0.), 8.));
+    Random random(seed);
+    for (std::size_t i = 0; i != 200; ++i)
+      mesh.points.push_back(CGAL::ORIGIN + random.uniform(.8, 1.2) * random.unit());
+    Hand_surface s(mesh.points, links_of(n, Triples(mesh.triples.begin(), mesh.triples.begin() + 200)));
+    for (const Triple& t : mesh.triples)
+      s.add(t[0], t[1], t[2]);
+    const isr_internal::Point_octree_3 octree(s.cloud.positions());
+    isr_internal::Crossing_test<Builder> crosses(s.cloud.positions(), octree, s.builder);
+    for (std::size_t i = 0; i != 200; ++i) {
+      Builder::Triangle t;
+      for (Point_index& p : t)
+        p = s.indices[mesh.points.size() - 1 - random.below(i % 2 == 0 ? 200 : mesh.points.size())];
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+        continue;
+      bool expected = false;
+      s.builder.for_each_triangle([&](const Builder::Triangle& u, auto) {
+        expected = expected || isr_internal::do_triangles_cross(t, u, [&](Point_index p) {
+                     return isr_internal::exact_point(s.cloud.positions()[p]);
+                   });
+      });
+      ISR_CHECK_EQUAL(crosses(std::vector<Builder::Triangle>{ t }, [](auto) { return true; }), expected);
+      ISR_CHECK(!crosses(std::vector<Builder::Triangle>{ t }, [](auto) { return false; }));
+      crossing += expected ? 1u : 0u;
+      ++all;
+      // A triangle that is attached is found from now on.
+      if (!expected && s.builder.try_add(t[0], t[1], t[2]) == Triangle_verdict::ADDED) {
+        crosses.attach(t);
+        ISR_CHECK(crosses(std::vector<Builder::Triangle>{ t }, [](auto) { return true; }));
+      }
+    }
+  }
+  ISR_CHECK(crossing > all / 8);
+  ISR_CHECK(all - crossing > all / 8);
 }
 
 void test_spike()
@@ -464,6 +509,7 @@ void test_kept_triangulation()
 int main()
 {
   test_triangles();
+  test_few_triangles();
   test_spike();
   test_two_components();
   test_island();

@@ -19,8 +19,10 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,8 +30,8 @@ namespace CGAL {
 namespace Interpolating_surface_reconstruction_3 {
 namespace internal {
 
-// Whether a few triangles can be attached without crossing the surface near them. Surface_crossings finds all crossings
-// of many triangles.
+// Whether a few triangles can be attached without crossing the surface. Surface_crossings finds all crossings of many
+// triangles. Of each node of the octree, the longest edge at its points is kept, so that no triangle near is missed.
 template <typename Builder>
 class Crossing_test
 {
@@ -40,8 +42,21 @@ public:
     : m_points(points), m_octree(octree), m_builder(builder)
   { }
 
-  // Whether one of the triangles is degenerate or crosses another one, or one of the surface with `stays(triangle)` that
-  // has a vertex in their box; also if there are so many points in it that this would take long.
+  // Forgets the surface, which may have changed.
+  void reset() { m_reaches.clear(); }
+
+  // Must know of the triangles that are attached after a test.
+  void attach(const Triangle& t)
+  {
+    if (m_reaches.empty())
+      return;
+    for (Point_index p : t)
+      for (Point_index q : t)
+        reach_from(m_octree.leaf_of(p), distance(m_points[p], m_points[q]));
+  }
+
+  // Whether one of the triangles is degenerate or crosses another one, or one of the surface with `stays(triangle)`; also
+  // if so many points may have triangles there that this would take long.
   template <typename Triangles, typename Stays>
   bool operator()(const Triangles& triangles, const Stays& stays)
   {
@@ -52,25 +67,18 @@ public:
     for (const Triangle& t : triangles)
       for (Point_index p : t)
         box.include(m_points[p]);
-    const auto is_crossing = [&](const Triangle& t) {
-      return stays(t) && !is_collinear(t) &&
-             std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& s) { return do_cross(s, t); });
-    };
     bool result = false;
     std::size_t points = 0;
-    m_octree.for_each_leaf_overlapping(box, m_stack, [&](const Point_octree_3::Node& leaf) {
-      for (Point_index p = leaf.begin; p != leaf.end && !result; ++p)
-        if (box.contains(m_points[p])) {
-          result = ++points > MAXIMUM_POINTS;
-          m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
-            // Once: at its smallest vertex in the box.
-            if (result ||
-                std::any_of(t.begin(), t.end(), [&](Point_index q) { return q < p && box.contains(m_points[q]); }))
-              return;
-            ++m_tests;
-            result = is_crossing(t);
-          });
+    for_each_point_near(box, [&](Point_index p) {
+      result = ++points > MAXIMUM_POINTS;
+      m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+        // Once: at its smallest vertex.
+        if (!result && p < t[1] && p < t[2] && stays(t) && box_of(t).overlaps(box)) {
+          ++m_tests;
+          result = !is_collinear(t) &&
+                   std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& s) { return do_cross(s, t); });
         }
+      });
       return !result;
     });
     return result;
@@ -80,11 +88,66 @@ public:
   std::size_t take_microseconds() { return MICROSECONDS_PER_TEST * std::exchange(m_tests, 0); }
 
 private:
-  // The box has few but on a lid over other parts of the surface.
-  static constexpr std::size_t MAXIMUM_POINTS = 256;
+  // There are few but on a lid over other parts of the surface.
+  static constexpr std::size_t MAXIMUM_POINTS = 1024;
+
+  // Of sums and differences of local coordinates, which are not larger than one.
+  static constexpr double ROUNDING = 4. * (std::numeric_limits<double>::epsilon)();
 
   // Of some pairs of triangles, whose rounded coordinates may not tell whether they cross.
   static constexpr std::size_t MICROSECONDS_PER_TEST = 4;
+
+  // Calls visit(p) for the points that may have triangles whose boxes overlap the box, until it returns false.
+  template <typename Visit>
+  void for_each_point_near(const Local_box& box, const Visit& visit)
+  {
+    if (m_reaches.empty())
+      find_reaches();
+    m_octree.for_each_leaf(
+      m_stack, [&](std::uint32_t i) { return m_octree.node(i).box.overlaps(box.enlarged(m_reaches[i])); },
+      [&](std::uint32_t i) {
+        const Local_box enlarged = box.enlarged(m_reaches[i]);
+        for (Point_index p = m_octree.node(i).begin; p != m_octree.node(i).end; ++p)
+          if (enlarged.contains(m_points[p]) && !visit(p))
+            return false;
+        return true;
+      });
+  }
+
+  void find_reaches()
+  {
+    m_reaches.assign(m_octree.nodes().size(), 0.);
+    for (std::uint32_t leaf : m_octree.leaves()) {
+      double longest = 0.;
+      for (Point_index p = m_octree.node(leaf).begin; p != m_octree.node(leaf).end; ++p)
+        m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
+          longest =
+            (std::max)({ longest, distance(m_points[p], m_points[t[1]]), distance(m_points[p], m_points[t[2]]) });
+        });
+      reach_from(leaf, longest);
+    }
+  }
+
+  void reach_from(std::uint32_t leaf, double reach)
+  {
+    for (std::uint32_t i = leaf; m_reaches[i] < reach; i = m_octree.node(i).parent)
+      m_reaches[i] = reach;
+  }
+
+  // Along an axis.
+  static double distance(const Local_point& p, const Local_point& q)
+  {
+    const Local_vector d = q - p;
+    return (std::max)({ std::abs(d.x()), std::abs(d.y()), std::abs(d.z()) }) + ROUNDING;
+  }
+
+  Local_box box_of(const Triangle& t) const
+  {
+    Local_box result;
+    for (Point_index p : t)
+      result.include(m_points[p]);
+    return result;
+  }
 
   bool do_cross(const Triangle& s, const Triangle& t) const
   {
@@ -100,6 +163,7 @@ private:
   const std::vector<Local_point>& m_points;
   const Point_octree_3& m_octree;
   const Builder& m_builder;
+  std::vector<double> m_reaches; // of the nodes, if they have been found
   std::vector<std::uint32_t> m_stack;
   std::size_t m_tests = 0; // triangles of the surface that were looked at
 };

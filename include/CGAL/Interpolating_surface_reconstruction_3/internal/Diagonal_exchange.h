@@ -249,6 +249,8 @@ private:
     m_builder.remove(m_builder.find_triangle(p, q, s));
     if (m_builder.try_add(r, s, p) == Triangle_verdict::ADDED) {
       if (m_builder.try_add(s, r, q) == Triangle_verdict::ADDED) {
+        m_crosses.attach(Triangle{ { r, s, p } });
+        m_crosses.attach(Triangle{ { s, r, q } });
         for (Point_index v : { p, q })
           for (Point_index w : { r, s })
             push(v, w);

@@ -131,8 +131,6 @@ public:
   template <typename Visit>
   void for_each_leaf_overlapping(const Local_box& box, Visit visit) const
   {
-    if (m_nodes.empty())
-      return;
     std::vector<std::uint32_t> stack;
     for_each_leaf_overlapping(box, stack, visit);
   }
@@ -141,13 +139,26 @@ public:
   template <typename Visit>
   void for_each_leaf_overlapping(const Local_box& box, std::vector<std::uint32_t>& stack, Visit visit) const
   {
-    stack.assign(1, 0);
+    for_each_leaf(
+      stack, [&](std::uint32_t i) { return m_nodes[i].box.overlaps(box); },
+      [&](std::uint32_t i) { return visit(m_nodes[i]); });
+  }
+
+  // Calls visit(i) for every leaf i such that is_near(j) holds for it and for all nodes j above it, in their order, until
+  // it returns false.
+  template <typename IsNear, typename Visit>
+  void for_each_leaf(std::vector<std::uint32_t>& stack, const IsNear& is_near, const Visit& visit) const
+  {
+    stack.clear();
+    if (!m_nodes.empty())
+      stack.push_back(0);
     while (!stack.empty()) {
-      const Node& n = m_nodes[stack.back()];
+      const std::uint32_t i = stack.back();
       stack.pop_back();
-      if (!n.box.overlaps(box))
+      if (!is_near(i))
         continue;
-      if (n.number_of_children == 0 && !visit(n))
+      const Node& n = m_nodes[i];
+      if (n.number_of_children == 0 && !visit(i))
         return;
       for (std::uint32_t c = n.number_of_children; c-- != 0;)
         stack.push_back(n.first_child + c);

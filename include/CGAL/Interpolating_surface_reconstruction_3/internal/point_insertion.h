@@ -45,6 +45,7 @@ public:
   template <typename Progress>
   std::size_t operator()(Progress& progress)
   {
+    m_crosses.reset();
     std::vector<Point_index> unused;
     for (Point_index p : m_builder.open_points())
       if (m_builder.corners(p).empty())
@@ -184,8 +185,11 @@ private:
     while (attached != added.size() &&
            m_builder.try_add(added[attached][0], added[attached][1], added[attached][2]) == Triangle_verdict::ADDED)
       ++attached;
-    if (attached == added.size() && (m_may_cross || !crosses(p, added)))
+    if (attached == added.size() && (m_may_cross || !crosses(p, added))) {
+      for (const Triangle& t : added)
+        m_crosses.attach(t);
       return true;
+    }
     while (attached-- != 0)
       m_builder.remove(m_builder.find_triangle(added[attached][0], added[attached][1], added[attached][2]));
     for (const Triangle& t : removed)
