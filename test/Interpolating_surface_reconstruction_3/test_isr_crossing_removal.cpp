@@ -129,8 +129,11 @@ void test_few_triangles()
     const std::size_t n = mesh.points.size();
     append(mesh, globe(4, 5, Point(.2, .1, 0.), 8.));
     Random random(seed);
-    for (std::size_t i = 0; i != 200; ++i)
-      mesh.points.push_back(CGAL::ORIGIN + random.uniform(.8, 1.2) * random.unit());
+    const std::size_t first = mesh.points.size();
+    for (std::size_t i = 0; i != 100; ++i) {
+      const Point center = CGAL::ORIGIN + random.uniform(.8, 1.2) * random.unit();
+      append(mesh.points, { center, center + .1 * random.unit(), center + .1 * random.unit() });
+    }
     Hand_surface s(mesh.points, links_of(n, Triples(mesh.triples.begin(), mesh.triples.begin() + 200)));
     for (const Triple& t : mesh.triples)
       s.add(t[0], t[1], t[2]);
@@ -138,8 +141,8 @@ void test_few_triangles()
     isr_internal::Crossing_test<Builder> crosses(s.cloud.positions(), octree, s.builder);
     for (std::size_t i = 0; i != 200; ++i) {
       Builder::Triangle t;
-      for (Point_index& p : t)
-        p = s.indices[mesh.points.size() - 1 - random.below(i % 2 == 0 ? 200 : mesh.points.size())];
+      for (std::size_t k = 0; k != 3; ++k)
+        t[k] = s.indices[i % 2 == 0 ? first + 3 * (i / 2) + k : random.below(mesh.points.size())];
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
         continue;
       bool expected = false;
