@@ -64,20 +64,19 @@ public:
       if (is_collinear(*t) || std::any_of(triangles.begin(), t, [&](const Triangle& s) { return do_cross(s, *t); }))
         return true;
     Local_box box;
-    for (const Triangle& t : triangles)
-      for (Point_index p : t)
-        box.include(m_points[p]);
+    m_boxes.clear();
+    for (const Triangle& t : triangles) {
+      m_boxes.push_back(box_of(t));
+      box.include(m_boxes.back());
+    }
     bool result = false;
     std::size_t points = 0;
     for_each_point_near(box, [&](Point_index p) {
       result = ++points > MAXIMUM_POINTS;
       m_builder.for_each_triangle_at(p, [&](const Triangle& t) {
         // Once: at its smallest vertex.
-        if (!result && p < t[1] && p < t[2] && stays(t) && box_of(t).overlaps(box)) {
-          ++m_tests;
-          result = !is_collinear(t) &&
-                   std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& s) { return do_cross(s, t); });
-        }
+        if (!result && p < t[1] && p < t[2] && stays(t))
+          result = crosses(t, triangles);
       });
       return !result;
     });
@@ -94,8 +93,23 @@ private:
   // Of sums and differences of local coordinates, which are not larger than one.
   static constexpr double ROUNDING = 4. * (std::numeric_limits<double>::epsilon)();
 
-  // Of some pairs of triangles, whose rounded coordinates may not tell whether they cross.
+  // Of a pair of triangles, whose rounded coordinates may not tell whether they cross.
   static constexpr std::size_t MICROSECONDS_PER_TEST = 4;
+
+  // Whether the triangle of the surface crosses one of those whose boxes are known.
+  template <typename Triangles>
+  bool crosses(const Triangle& t, const Triangles& triangles)
+  {
+    const Local_box box = box_of(t);
+    auto box_of_other = m_boxes.begin();
+    for (const Triangle& s : triangles)
+      if ((box_of_other++)->overlaps(box)) {
+        ++m_tests;
+        if (do_cross(s, t) && !is_collinear(t))
+          return true;
+      }
+    return false;
+  }
 
   // Calls visit(p) for the points that may have triangles whose boxes overlap the box, until it returns false.
   template <typename Visit>
@@ -165,7 +179,8 @@ private:
   const Builder& m_builder;
   std::vector<double> m_reaches; // of the nodes, if they have been found
   std::vector<std::uint32_t> m_stack;
-  std::size_t m_tests = 0; // triangles of the surface that were looked at
+  std::vector<Local_box> m_boxes; // of the triangles to be attached
+  std::size_t m_tests = 0;        // pairs of triangles that were looked at
 };
 
 } // namespace internal

@@ -42,6 +42,14 @@ struct Local_box
     }
   }
 
+  void include(const Local_box& other)
+  {
+    for (std::size_t a = 0; a != 3; ++a) {
+      low[a] = (std::min)(low[a], other.low[a]);
+      high[a] = (std::max)(high[a], other.high[a]);
+    }
+  }
+
   bool overlaps(const Local_box& other) const
   {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
@@ -254,10 +262,7 @@ private:
       }
       n.box = m_nodes[n.first_child].box;
       for (std::uint32_t c = n.first_child + 1; c != n.first_child + n.number_of_children; ++c)
-        for (std::size_t a = 0; a != 3; ++a) {
-          n.box.low[a] = (std::min)(n.box.low[a], m_nodes[c].box.low[a]);
-          n.box.high[a] = (std::max)(n.box.high[a], m_nodes[c].box.high[a]);
-        }
+        n.box.include(m_nodes[c].box);
     }
     std::sort(m_leaves.begin(), m_leaves.end(),
               [&](std::uint32_t a, std::uint32_t b) { return m_nodes[a].begin < m_nodes[b].begin; });

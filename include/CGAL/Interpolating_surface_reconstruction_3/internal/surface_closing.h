@@ -100,8 +100,9 @@ public:
 private:
   using Triangle_index = typename Builder::Triangle_index;
 
-  // As long as all but one find at most half of the crossings that the one before found.
-  static constexpr int MAXIMUM_PASSES = 8, PASSES_IN_VAIN = 2;
+  // As long as each finds at most half of the crossings that the one before found. One may be in vain after one that was
+  // not: what closes the last holes of a large component may cross more than before.
+  static constexpr int MAXIMUM_PASSES = 8;
 
   Triangle_index next_triangle() const { return static_cast<Triangle_index>(m_builder.number_of_stored_triangles()); }
 
@@ -160,8 +161,9 @@ private:
     Crossing_removal<ConcurrencyTag, Builder> remove(m_points, m_normals, m_octree, m_options.maximum_radius, m_builder,
                                                      m_triangulation);
     Triangle_index first = m_first;
-    std::size_t crossings = (std::numeric_limits<std::size_t>::max)();
-    for (int pass = 0, in_vain = 0; pass != MAXIMUM_PASSES && in_vain != PASSES_IN_VAIN; ++pass) {
+    std::size_t crossings = 0;
+    bool may_be_in_vain = false;
+    for (int pass = 0; pass != MAXIMUM_PASSES; ++pass) {
       const Triangle_index next = next_triangle();
       if (!remove(first, unclosed, m_progress))
         break;
@@ -169,7 +171,10 @@ private:
       close_loops();
       m_unused = m_insert(m_progress);
       first = next;
-      in_vain += remove.number_of_crossings() > crossings / 2 ? 1 : 0;
+      const bool is_in_vain = pass != 0 && 2 * remove.number_of_crossings() > crossings;
+      if (is_in_vain && !may_be_in_vain)
+        break;
+      may_be_in_vain = pass != 0 && !is_in_vain;
       crossings = remove.number_of_crossings();
     }
   }
