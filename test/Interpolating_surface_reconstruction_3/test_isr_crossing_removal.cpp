@@ -166,6 +166,21 @@ void test_few_triangles()
   ISR_CHECK(all - crossing > all / 8);
 }
 
+// A triangle on a line, as predicates that are not exact attach it, crosses nothing.
+void test_degenerate_triangle()
+{
+  begin_case("degenerate triangle");
+  const Points points{ Point(0, 0, 0),    Point(1, 0, 0),   Point(2, 0, 0),
+                       Point(.5, -1, -1), Point(.5, 1, -1), Point(.5, 0, 1) };
+  Hand_surface s(points);
+  s.builder.restore(Builder::Triangle{ { s.indices[0], s.indices[1], s.indices[2] } });
+  const isr_internal::Point_octree_3 octree(s.cloud.positions());
+  isr_internal::Crossing_test<Builder> crosses(s.cloud.positions(), octree, s.builder);
+  const std::vector<Builder::Triangle> through{ Builder::Triangle{ { s.indices[3], s.indices[4], s.indices[5] } } };
+  ISR_CHECK(!crosses(through, [](auto) { return true; }));
+  ISR_CHECK_EQUAL(crosses.take_microseconds(), 4u);
+}
+
 void test_spike()
 {
   begin_case("spike");
@@ -513,6 +528,7 @@ int main()
 {
   test_triangles();
   test_few_triangles();
+  test_degenerate_triangle();
   test_spike();
   test_two_components();
   test_island();

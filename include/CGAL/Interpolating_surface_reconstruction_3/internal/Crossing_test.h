@@ -105,7 +105,7 @@ private:
     for (const Triangle& s : triangles)
       if ((box_of_other++)->overlaps(box)) {
         ++m_tests;
-        if (do_cross(s, t) && !is_collinear(t))
+        if (!is_collinear(t) && do_cross(s, t))
           return true;
       }
     return false;
