@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -41,16 +42,23 @@ class Normal_consistency
 public:
   explicit Normal_consistency(const std::vector<Local_point>& points) : m_points(points) { }
 
-  // `areas` are those of the points of the cells, in their order, away from the inside or all towards it. They keep their
-  // lengths. `cancellation_point()` is called again and again and may throw.
+  // For what follows. `cancellation_point()` is called again and again and may throw.
   template <typename Cancellation_point>
-  void operator()(const Cell_complex& cells, std::vector<Local_vector>& areas, Cancellation_point& cancellation_point)
+  void set_cells(const Cell_complex& cells, Cancellation_point& cancellation_point)
   {
     find_edges(cells, cancellation_point);
     find_softenings(cells.points().size());
     m_views.clear();
+    m_views.reserve(m_edges.size());
     for (const Edge& e : m_edges)
       m_views.emplace_back(e.to_second, (m_softenings[e.first] + m_softenings[e.second]) / 2.);
+  }
+
+  // `areas` are those of the points of the cells, in their order, away from the inside or all towards it. They keep their
+  // lengths. `cancellation_point()` is called again and again and may throw.
+  template <typename Cancellation_point>
+  void operator()(std::vector<Local_vector>& areas, Cancellation_point& cancellation_point)
+  {
     for (int round = 0; round != ROUNDS; ++round)
       turn(areas, cancellation_point);
   }
@@ -104,17 +112,21 @@ private:
   // Of `n` points, squared.
   void find_softenings(std::size_t n)
   {
-    std::vector<std::vector<double> > lengths(n);
+    std::vector<std::size_t> end(n + 1, 0); // of the lengths at each point, so far
     for (const Edge& e : m_edges) {
-      const double length = e.to_second.squared_length();
-      lengths[e.first].push_back(length);
-      lengths[e.second].push_back(length);
+      ++end[e.first + 1];
+      ++end[e.second + 1];
     }
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<double> lengths(end[n]);
+    for (const Edge& e : m_edges)
+      lengths[end[e.first]++] = lengths[end[e.second]++] = e.to_second.squared_length();
     m_softenings.assign(n, 0.);
-    for (std::size_t k = 0; k != n; ++k)
-      if (!lengths[k].empty()) {
-        const auto sixth = lengths[k].begin() + std::ptrdiff_t((std::min)(DIPOLE_NEIGHBORS, lengths[k].size()) - 1);
-        std::nth_element(lengths[k].begin(), sixth, lengths[k].end());
+    for (std::size_t k = 0, begin = 0; k != n; begin = end[k], ++k)
+      if (begin != end[k]) {
+        const auto first = lengths.begin() + std::ptrdiff_t(begin), last = lengths.begin() + std::ptrdiff_t(end[k]);
+        const auto sixth = first + std::ptrdiff_t((std::min)(DIPOLE_NEIGHBORS, end[k] - begin) - 1);
+        std::nth_element(first, sixth, last);
         m_softenings[k] = DIPOLE_SOFTENING * DIPOLE_SOFTENING * *sixth;
       }
   }

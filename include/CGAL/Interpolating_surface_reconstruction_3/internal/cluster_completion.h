@@ -151,8 +151,9 @@ private:
     const auto is_in_scope = [&](Point_index p) { return m_knowledge.is_in_scope(p); };
     Labelling_repair<Cell_labelling> repair(cells, labelling, is_in_scope, CERTAIN / 2, false, cancellation_point);
     repair(cancellation_point);
+    m_oriented_energy.set_cells(cells, known, cancellation_point);
     for (std::size_t round = 0; round != ORIENTED_ROUNDS; ++round) {
-      const double certain = m_oriented_energy(cells, labelling, known, cancellation_point);
+      const double certain = m_oriented_energy(labelling, known, cancellation_point);
       const std::vector<Cell_index> changed = labelling.relax(cancellation_point);
       repair.again(changed, certain / 2, cancellation_point);
     }
