@@ -40,7 +40,7 @@ public:
     : m_builder(builder), m_surroundings(points, octree, maximum_radius, builder.compatibility().stars())
   { }
 
-  // `component` is increasing. All of its points are sites if their cells may be kept, or if most of them would be.
+  // `component` is increasing. All of its points are sites if most of them would be.
   // `cancellation_point()` is called again and again and may throw.
   template <typename CancellationPoint>
   void find(const std::vector<Point_index>& component, const std::vector<unsigned char>& is_in_doubt,
@@ -48,17 +48,16 @@ public:
   {
     m_incomplete.clear();
     m_sites = component;
-    if (component.size() <= Kept_triangulation::MAXIMUM_POINTS)
-      return;
+    const std::size_t far_sites = (std::min)(MAXIMUM_FAR_SITES, component.size() / PART_OF_FAR_SITES);
     find_near(component, is_in_doubt, cancellation_point);
-    if (2 * (m_sites.size() + MAXIMUM_FAR_SITES) > component.size()) {
+    if (2 * (m_sites.size() + far_sites) > component.size()) {
       m_sites = component;
       return;
     }
     for (Point_index p : m_sites)
       if (!is_complete(p))
         m_incomplete.push_back(p);
-    add_far(component);
+    add_far(component, far_sites);
   }
 
   // Increasing.
@@ -67,8 +66,8 @@ public:
   const std::vector<Point_index>& incomplete() const { return m_incomplete; }
 
 private:
-  // What tells the inside from the outside need not be fine.
-  static constexpr std::size_t MAXIMUM_FAR_SITES = 4096;
+  // What tells the inside from the outside need not be fine: as many, and no more than that part of the component.
+  static constexpr std::size_t MAXIMUM_FAR_SITES = 4096, PART_OF_FAR_SITES = 8;
 
   // Beyond what the completion of a conflict must see, so that cells at points in doubt have complete points.
   static constexpr int RINGS = 4;
@@ -112,9 +111,9 @@ private:
     return result;
   }
 
-  void add_far(const std::vector<Point_index>& component)
+  void add_far(const std::vector<Point_index>& component, std::size_t number)
   {
-    const std::size_t stride = (component.size() + MAXIMUM_FAR_SITES - 1) / MAXIMUM_FAR_SITES;
+    const std::size_t stride = (component.size() + number - 1) / number;
     std::vector<Point_index> far;
     for (std::size_t k = 0; k < component.size(); k += stride)
       if (!std::binary_search(m_sites.begin(), m_sites.end(), component[k]))
