@@ -173,7 +173,10 @@ void test_degenerate_triangle()
   const Points points{ Point(0, 0, 0),    Point(1, 0, 0),   Point(2, 0, 0),
                        Point(.5, -1, -1), Point(.5, 1, -1), Point(.5, 0, 1) };
   Hand_surface s(points);
-  s.builder.restore(Builder::Triangle{ { s.indices[0], s.indices[1], s.indices[2] } });
+  ISR_CHECK(s.add(0, 1, 3) == Triangle_verdict::ADDED);
+  auto removed = s.builder.remove(0);
+  removed.vertices = Builder::Triangle{ { s.indices[0], s.indices[1], s.indices[2] } };
+  s.builder.restore(removed);
   const isr_internal::Point_octree_3 octree(s.cloud.positions());
   isr_internal::Crossing_test<Builder> crosses(s.cloud.positions(), octree, s.builder);
   const std::vector<Builder::Triangle> through{ Builder::Triangle{ { s.indices[3], s.indices[4], s.indices[5] } } };

@@ -233,6 +233,40 @@ void test_open_and_remove()
   }
 }
 
+// Some triangles are removed and come back in another order: all is as before, and none has another number.
+void test_restore()
+{
+  begin_case("restoring");
+  const Mesh mesh = globe(6, 7);
+  Hand_surface s(mesh.points, links_of(mesh.points.size(), mesh.triples));
+  const Triples all = canonical(s.triangles());
+  Random random(8);
+  for (int round = 0; round != 20; ++round) {
+    std::vector<Builder::Removed_triangle> removed;
+    for (int i = 0; i != 9; ++i) {
+      const Triples left = s.triangles();
+      const Triple t = left[random.below(left.size())];
+      s.builder.open(s.indices[t[0]]);
+      const auto index = s.builder.find_triangle(s.indices[t[0]], s.indices[t[1]], s.indices[t[2]]);
+      removed.push_back(s.builder.remove(index));
+      ISR_CHECK_EQUAL(removed.back().index, index);
+      ISR_CHECK(s.builder.is_removed(index));
+    }
+    ISR_CHECK_EQUAL(s.triangles().size(), all.size() - 9);
+    const std::size_t stored = s.builder.number_of_stored_triangles();
+    std::rotate(removed.begin(), removed.begin() + 4, removed.end());
+    for (const Builder::Removed_triangle& t : removed) {
+      s.builder.restore(t);
+      ISR_CHECK(s.builder.triangle(t.index) == t.vertices);
+    }
+    ISR_CHECK_EQUAL(s.builder.number_of_stored_triangles(), stored);
+    ISR_CHECK(canonical(s.triangles()) == all);
+    ISR_CHECK(is_storage_consistent(s.builder));
+    ISR_CHECK(std::all_of(s.builder.open_points().begin(), s.builder.open_points().end(),
+                          [&](Point_index p) { return s.builder.is_fan_closed(p); }));
+  }
+}
+
 // At every vertex at most one fan, if one is closed, by definition.
 bool are_closed_fans_alone(const Triples& triples)
 {
@@ -442,6 +476,7 @@ int main()
   test_degenerate();
   test_folded();
   test_open_and_remove();
+  test_restore();
   test_random_triangles();
   test_many_triangles_at_a_vertex();
   test_loops();

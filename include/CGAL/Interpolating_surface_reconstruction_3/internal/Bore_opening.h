@@ -85,7 +85,8 @@ private:
   // What has taken the place of two caps.
   struct Bore
   {
-    Triangles caps, wall;
+    std::vector<typename Builder::Removed_triangle> caps;
+    Triangles wall;
   };
 
   template <typename CancellationPoint>
@@ -159,10 +160,13 @@ private:
       return false;
     Rim other = second.rim; // seen from the same side
     std::reverse(other.begin(), other.end());
-    Bore bore{ first.triangles, find_wall(first.rim, other) };
-    bore.caps.insert(bore.caps.end(), second.triangles.begin(), second.triangles.end());
-    if (!exchange_triangles(m_builder, bore.caps, bore.wall, 0, cancellation_point))
+    Triangles caps(first.triangles);
+    caps.insert(caps.end(), second.triangles.begin(), second.triangles.end());
+    Bore bore{ {}, find_wall(first.rim, other) };
+    auto stored = exchange_triangles(m_builder, caps, bore.wall, 0, cancellation_point);
+    if (!stored)
       return false;
+    bore.caps = std::move(*stored);
     const auto is_closed = [&](Point_index p) { return m_builder.is_fan_closed(p); };
     if (std::all_of(first.rim.begin(), first.rim.end(), is_closed) &&
         std::all_of(other.begin(), other.end(), is_closed)) {
@@ -177,7 +181,7 @@ private:
   {
     for (const Triangle& t : bore.wall)
       m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
-    for (const Triangle& t : bore.caps)
+    for (const auto& t : bore.caps)
       m_builder.restore(t);
   }
 

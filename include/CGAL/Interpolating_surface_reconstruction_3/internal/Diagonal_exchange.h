@@ -243,10 +243,8 @@ private:
       return;
     for (Point_index v : { p, q, r, s })
       m_builder.open(v);
-    const Triangle old_first = m_builder.triangle(m_builder.find_triangle(p, q, r)),
-                   old_second = m_builder.triangle(m_builder.find_triangle(p, q, s));
-    m_builder.remove(m_builder.find_triangle(p, q, r));
-    m_builder.remove(m_builder.find_triangle(p, q, s));
+    const auto old_first = m_builder.remove(m_builder.find_triangle(p, q, r)),
+               old_second = m_builder.remove(m_builder.find_triangle(p, q, s));
     if (m_builder.try_add(r, s, p) == Triangle_verdict::ADDED) {
       if (m_builder.try_add(s, r, q) == Triangle_verdict::ADDED) {
         m_crosses.attach(Triangle{ { r, s, p } });

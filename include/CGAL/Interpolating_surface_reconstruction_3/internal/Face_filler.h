@@ -100,15 +100,16 @@ private:
                   CancellationPoint& cancellation_point)
   {
     const std::vector<Triangle> removed = find_removable(plane, cancellation_point);
+    std::vector<typename Builder::Removed_triangle> stored;
     for (const Triangle& t : removed)
-      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+      stored.push_back(m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2])));
     bool has_long_gap = false;
     const std::vector<Boundary_loop> rims = find_rims(plane, stays_open, has_long_gap, cancellation_point);
     const Flat_face face = m_triangulate(plane, rims, loose_points(removed), cancellation_point);
     // Without holes, it may be a lid of a sheet.
     const bool is_certain = face.has_holes || !(m_needs_holes || removed.empty() || has_long_gap);
     if (!is_certain || !attach(face, on_verdict, cancellation_point))
-      for (const Triangle& t : removed)
+      for (const auto& t : stored)
         m_builder.restore(t);
   }
 

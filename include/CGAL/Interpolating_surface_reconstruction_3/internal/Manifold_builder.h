@@ -48,10 +48,6 @@ public:
     return verdict;
   }
 
-  // Attaches a triangle again whose removal did not lead anywhere. It is not checked: an agreed triangle
-  // may be one that the gate would refuse, such as one that is folded onto another.
-  void restore(const Triangle& t) { add(t[0], t[1], t[2]); }
-
 private:
   // A vertex takes no more triangles than these, so that the time for all triangles is linear in their
   // number. A star has less than a tenth of it.

@@ -190,8 +190,15 @@ public:
     return parity == 0 && !corners(p).empty() && number_of_boundary_edges(p) == 0;
   }
 
+  // A triangle that was removed, and how it was stored.
+  struct Removed_triangle
+  {
+    Triangle_index index;
+    Triangle vertices;
+  };
+
   // Detaches a stored triangle and opens its vertices.
-  void remove(Triangle_index t)
+  Removed_triangle remove(Triangle_index t)
   {
     const Triangle vertices = m_triangles[t].vertices;
     for (Point_index p : vertices)
@@ -201,6 +208,16 @@ public:
       list.erase(std::find_if(list.begin(), list.end(), [&](const Corner& c) { return c.triangle == t; }));
     }
     m_triangles[t].vertices[0] = NO_POINT;
+    return Removed_triangle{ t, vertices };
+  }
+
+  // Attaches a triangle again whose removal did not lead anywhere. Nothing is checked: an agreed triangle may be one that
+  // the gate would refuse, such as one that is folded onto another.
+  void restore(const Removed_triangle& t)
+  {
+    m_triangles[t.index].vertices = t.vertices;
+    for (Point_index p : t.vertices)
+      m_corners[m_slots[p]].push_back(corner(t.index, p));
   }
 
   // Forgets how parts of the surface face each other that only removed triangles have connected. `cancellation_point()` is

@@ -176,10 +176,11 @@ private:
   // Exchanges the triangles for those around the point, or none.
   bool replace(Point_index p, const std::vector<Triangle>& removed, const std::vector<Triangle>& added)
   {
+    std::vector<typename Builder::Removed_triangle> stored;
     for (const Triangle& t : removed) {
       for (Point_index q : t)
         m_builder.open(q);
-      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+      stored.push_back(m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2])));
     }
     std::size_t attached = 0;
     while (attached != added.size() &&
@@ -192,7 +193,7 @@ private:
     }
     while (attached-- != 0)
       m_builder.remove(m_builder.find_triangle(added[attached][0], added[attached][1], added[attached][2]));
-    for (const Triangle& t : removed)
+    for (const auto& t : stored)
       m_builder.restore(t);
     return false;
   }

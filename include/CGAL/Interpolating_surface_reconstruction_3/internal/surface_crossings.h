@@ -97,6 +97,9 @@ private:
   // Of late triangles next to another one.
   static constexpr int MAXIMUM_TESTS = 16;
 
+  // Sets of boxes that are not divided further. Measured: half the time of the default.
+  static constexpr std::ptrdiff_t LARGEST_SCAN = 1000;
+
   // Triangles of the surface that are looked at together, if the late ones are not more.
   static constexpr std::size_t BLOCK_SIZE = 1 << 15;
 
@@ -139,14 +142,17 @@ private:
   void cross_with(std::vector<Box>& block, const Visit& visit, CancellationPoint& cancellation_point)
   {
     std::vector<Box> late(m_late); // gets into another order
-    box_intersection_d(late.begin(), late.end(), block.begin(), block.end(), [&](const Box& a, const Box& b) {
-      cancellation_point();
-      if (m_pairs_left-- == 0)
-        throw Too_many_pairs();
-      if (!is_same(a.info(), b.info()) &&
-          do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return exact_point(m_points[p]); }))
-        visit(a.info(), b.info());
-    });
+    box_intersection_d(
+      late.begin(), late.end(), block.begin(), block.end(),
+      [&](const Box& a, const Box& b) {
+        cancellation_point();
+        if (m_pairs_left-- == 0)
+          throw Too_many_pairs();
+        if (!is_same(a.info(), b.info()) &&
+            do_triangles_cross(a.info(), b.info(), [this](Point_index p) { return exact_point(m_points[p]); }))
+          visit(a.info(), b.info());
+      },
+      LARGEST_SCAN);
     block.clear();
   }
 

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,13 +46,14 @@ bool attach_all(Builder& builder, const std::vector<std::array<Point_index, 3> >
   return true;
 }
 
-// Exchanges triangles of the surface for others. Returns false, with the surface as it was, if the gate of the builder
-// refuses more of the added ones than `maximum_refused`. `cancellation_point()` is called again and again and may throw,
-// before anything changes.
+// Exchanges triangles of the surface for others. Returns how the former were stored, or nothing, with the surface as it
+// was, if the gate of the builder refuses more of the added ones than `maximum_refused`. `cancellation_point()` is called
+// again and again and may throw, before anything changes.
 template <typename Builder, typename CancellationPoint>
-bool exchange_triangles(Builder& builder, const std::vector<std::array<Point_index, 3> >& removed,
-                        std::vector<std::array<Point_index, 3> > added, std::size_t maximum_refused,
-                        CancellationPoint& cancellation_point)
+std::optional<std::vector<typename Builder::Removed_triangle> >
+exchange_triangles(Builder& builder, const std::vector<std::array<Point_index, 3> >& removed,
+                   std::vector<std::array<Point_index, 3> > added, std::size_t maximum_refused,
+                   CancellationPoint& cancellation_point)
 {
   using Triangle = std::array<Point_index, 3>;
   const auto open = [&](const Triangle& t) {
@@ -60,8 +63,9 @@ bool exchange_triangles(Builder& builder, const std::vector<std::array<Point_ind
   };
   std::for_each(removed.begin(), removed.end(), open);
   std::for_each(added.begin(), added.end(), open);
-  const auto remove = [&](const Triangle& t) { builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
-  std::for_each(removed.begin(), removed.end(), remove);
+  const auto remove = [&](const Triangle& t) { return builder.remove(builder.find_triangle(t[0], t[1], t[2])); };
+  std::vector<typename Builder::Removed_triangle> stored;
+  std::transform(removed.begin(), removed.end(), std::back_inserter(stored), remove);
   std::sort(added.begin(), added.end());
   std::size_t refused = 0, attached = 0; // the attached ones come to the front
   for (std::size_t i = 0; i != added.size() && refused <= maximum_refused; ++i)
@@ -70,12 +74,12 @@ bool exchange_triangles(Builder& builder, const std::vector<std::array<Point_ind
     else
       ++refused;
   if (refused <= maximum_refused)
-    return true;
+    return stored;
   while (attached-- != 0)
     remove(added[attached]);
-  for (const Triangle& t : removed)
+  for (const auto& t : stored)
     builder.restore(t);
-  return false;
+  return std::nullopt;
 }
 
 // The same for all triangles of the points, which are whole components. Returns the triangles removed, or none.
