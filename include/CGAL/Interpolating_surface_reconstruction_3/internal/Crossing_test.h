@@ -50,9 +50,11 @@ public:
   {
     if (m_reaches.empty())
       return;
-    for (Point_index p : t)
-      for (Point_index q : t)
-        reach_from(m_octree.leaf_of(p), distance(m_points[p], m_points[q]));
+    for (std::size_t i = 0; i != 3; ++i) {
+      const Local_point& p = m_points[t[i]];
+      reach_from(m_octree.leaf_of(t[i]),
+                 (std::max)(distance(p, m_points[t[(i + 1) % 3]]), distance(p, m_points[t[(i + 2) % 3]])));
+    }
   }
 
   // Whether one of the triangles is degenerate or crosses another one, or one of the surface with `stays(triangle)`; also
@@ -83,8 +85,11 @@ public:
     return result;
   }
 
-  // Microseconds that the tests since the last call may have taken.
-  std::size_t take_microseconds() { return MICROSECONDS_PER_TEST * std::exchange(m_tests, 0); }
+  // Of a pair of triangles, whose rounded coordinates may not tell whether they cross.
+  static constexpr std::size_t MICROSECONDS_PER_PAIR = 4;
+
+  // The number of pairs of triangles that were looked at since the last call.
+  std::size_t take_pairs() { return std::exchange(m_pairs, 0); }
 
 private:
   // There are few but on a lid over other parts of the surface.
@@ -93,19 +98,19 @@ private:
   // Of sums and differences of local coordinates, which are not larger than one.
   static constexpr double ROUNDING = 4. * (std::numeric_limits<double>::epsilon)();
 
-  // Of a pair of triangles, whose rounded coordinates may not tell whether they cross.
-  static constexpr std::size_t MICROSECONDS_PER_TEST = 4;
-
   // Whether the triangle of the surface crosses one of those whose boxes are known.
   template <typename Triangles>
   bool crosses(const Triangle& t, const Triangles& triangles)
   {
     const Local_box box = box_of(t);
     auto box_of_other = m_boxes.begin();
+    bool is_first = true;
     for (const Triangle& s : triangles)
       if ((box_of_other++)->overlaps(box)) {
-        ++m_tests;
-        if (!is_collinear(t) && do_cross(s, t))
+        ++m_pairs;
+        if (std::exchange(is_first, false) && is_collinear(t))
+          return false;
+        if (do_cross(s, t))
           return true;
       }
     return false;
@@ -180,7 +185,7 @@ private:
   std::vector<double> m_reaches; // of the nodes, if they have been found
   std::vector<std::uint32_t> m_stack;
   std::vector<Local_box> m_boxes; // of the triangles to be attached
-  std::size_t m_tests = 0;        // pairs of triangles that were looked at
+  std::size_t m_pairs = 0;        // of triangles that were looked at
 };
 
 } // namespace internal

@@ -65,7 +65,7 @@ public:
           push_undecided(p);
       }
       for (std::size_t k = MAXIMUM_LOOKS * m_queue.size(); k != 0 && !m_queue.empty(); --k) {
-        cancellation_point(1 + m_crosses.take_microseconds());
+        cancellation_point(1 + Crossing_test<Builder>::MICROSECONDS_PER_PAIR * m_crosses.take_pairs());
         const Exchange exchange = m_queue.top();
         m_queue.pop();
         if (evaluate(exchange.p, exchange.q) == exchange) // as it was when it was pushed

@@ -85,6 +85,7 @@ private:
     const std::vector<Target> nearest = targets(p);
     m_may_cross = false;
     m_has_crossed = false;
+    m_pairs_left = MAXIMUM_PAIRS;
     if (insert(p, nearest))
       return true;
     m_may_cross = true;
@@ -198,11 +199,13 @@ private:
     return false;
   }
 
-  // Of the triangles around the point.
+  // Of the triangles around the point; also if too many have been looked at.
   bool crosses(Point_index p, const std::vector<Triangle>& triangles)
   {
-    const bool result =
-      m_crosses(triangles, [p](const Triangle& t) { return std::find(t.begin(), t.end(), p) == t.end(); });
+    const bool result = m_pairs_left == 0 || m_crosses(triangles, [p](const Triangle& t) {
+                          return std::find(t.begin(), t.end(), p) == t.end();
+                        });
+    m_pairs_left -= (std::min)(m_pairs_left, m_crosses.take_pairs());
     m_has_crossed = m_has_crossed || result;
     return result;
   }
@@ -212,6 +215,10 @@ private:
   // A point that the nearest triangles refuse would only be taken by ones that are not near.
   static constexpr std::size_t MAXIMUM_TARGETS = 16;
 
+  // Of triangles that are looked at for crossings. Of real points, fifty are enough for most, and these for all but one
+  // in a hundred; where nothing fits, there may be ten thousands.
+  static constexpr std::size_t MAXIMUM_PAIRS = 1024;
+
   // Beyond so many neighbors without a triangle a point has no surface around it.
   static constexpr std::size_t MAXIMUM_NEIGHBORS = 384;
 
@@ -219,7 +226,9 @@ private:
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
   Crossing_test<Builder> m_crosses;
-  bool m_may_cross = false, m_has_crossed = false; // when the current point is inserted, and what was refused for that
+  // When the current point is inserted, what was refused for that, and what may still be looked at.
+  bool m_may_cross = false, m_has_crossed = false;
+  std::size_t m_pairs_left = 0;
 };
 
 } // namespace internal
