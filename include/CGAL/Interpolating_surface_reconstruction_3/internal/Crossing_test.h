@@ -173,10 +173,10 @@ private:
     return do_triangles_cross(s, t, [&](Point_index p) { return exact_point(m_points[p]); });
   }
 
-  // As only predicates that are not exact take for a triangle, or with rounded positions.
+  // Also as rounding has made it.
   bool is_collinear(const Triangle& t) const
   {
-    return collinear(exact_point(m_points[t[0]]), exact_point(m_points[t[1]]), exact_point(m_points[t[2]]));
+    return is_degenerate(t, [&](Point_index p) { return exact_point(m_points[p]); });
   }
 
   const std::vector<Local_point>& m_points;

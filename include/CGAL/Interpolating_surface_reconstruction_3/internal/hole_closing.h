@@ -268,7 +268,9 @@ private:
     };
     const auto end_of_crossing = std::stable_partition(lids.begin(), lids.end(), crosses);
     for (auto lid = end_of_crossing; lid != lids.end(); ++lid)
-      m_filled_ends.push_back(lid->loop);
+      m_filled_ends.push_back(Filled_end{ lid->loop.front(), lid->loop.size() });
+    if (end_of_crossing == lids.begin())
+      return;
     const auto longest = longest_filled_ends();
     for (auto lid = lids.begin(); lid != end_of_crossing; ++lid) {
       const auto filled = longest.find(part_at(lid->loop.front()));
@@ -281,6 +283,13 @@ private:
     std::sort(m_with_crossing_lids.begin(), m_with_crossing_lids.end());
   }
 
+  // A loop that was filled although the stars say that the surface ends there: a point of it, and its size.
+  struct Filled_end
+  {
+    Point_index point;
+    std::size_t size;
+  };
+
   using Part = Parity_union_find::Element;
 
   // Triangles are in one part if they have been connected once.
@@ -289,10 +298,10 @@ private:
   std::map<Part, std::size_t> longest_filled_ends()
   {
     std::map<Part, std::size_t> result;
-    for (const Boundary_loop& loop : m_filled_ends)
-      if (!m_builder.corners(loop.front()).empty()) {
-        std::size_t& longest = result[part_at(loop.front())];
-        longest = (std::max)(longest, loop.size());
+    for (const Filled_end& end : m_filled_ends)
+      if (!m_builder.corners(end.point).empty()) {
+        std::size_t& longest = result[part_at(end.point)];
+        longest = (std::max)(longest, end.size);
       }
     return result;
   }
@@ -421,7 +430,7 @@ private:
   Hole_filler<Builder> m_fill;
   std::vector<typename Builder::Triangle> m_removed; // in this order, to be restored
   std::vector<Boundary_loop> m_with_crossing_lids;   // stay open; sorted in themselves and among each other
-  std::vector<Boundary_loop> m_filled_ends;          // at which the stars say that the surface ends
+  std::vector<Filled_end> m_filled_ends;
 };
 
 } // namespace internal

@@ -163,12 +163,11 @@ private:
     return s == t;
   }
 
-  // But those of triangles that only predicates that are not exact take for such.
+  // But of degenerate triangles.
   void add_box(const Triangle& t, std::vector<Box>& boxes) const
   {
-    if (collinear(exact_point(m_points[t[0]]), exact_point(m_points[t[1]]), exact_point(m_points[t[2]])))
-      return;
-    boxes.emplace_back(bbox(t), t);
+    if (!is_degenerate(t, [this](Point_index p) { return exact_point(m_points[p]); }))
+      boxes.emplace_back(bbox(t), t);
   }
 
   Bbox_3 bbox(const Triangle& t) const { return m_points[t[0]].bbox() + m_points[t[1]].bbox() + m_points[t[2]].bbox(); }

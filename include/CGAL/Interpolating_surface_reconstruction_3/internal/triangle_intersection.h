@@ -35,6 +35,13 @@ inline Exact_predicates_inexact_constructions_kernel::Point_3 exact_point(const 
   return { p.x(), p.y(), p.z() };
 }
 
+// Whether a triangle is degenerate, as only predicates that are not exact take for one of a surface.
+template <typename Index, typename PointOf>
+bool is_degenerate(const std::array<Index, 3>& t, const PointOf& point)
+{
+  return collinear(point(t[0]), point(t[1]), point(t[2]));
+}
+
 // Whether two triangles of a mesh, none of them degenerate, meet in more than their common vertices and
 // edges. `point(v)` is the position of a vertex in a kernel with exact predicates.
 template <typename Index, typename PointOf>
