@@ -5,10 +5,12 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Crossing_test.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Sites_around_doubts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Surface_sides.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/crossing_removal.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_crossings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_exchange.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/surface_rings.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/triangle_intersection.h>
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -437,6 +440,48 @@ void test_large_component()
   ISR_CHECK(kept.size() + 20 > before.size());
 }
 
+// Around one doubt in a component of 4000 points, few of them are sites, and all of 100.
+void test_sites()
+{
+  for (std::size_t n : { 100u, 4000u }) {
+    begin_case("sites around a doubt, of " + std::to_string(n));
+    const Points points = sphere_fibonacci(n).points;
+    Hand_surface s(points);
+    for (const Surface_sides::Triangle& t : hull_triangles(points))
+      ISR_CHECK(s.add(t[0], t[1], t[2]) == Triangle_verdict::ADDED);
+    const isr_internal::Point_octree_3 octree(s.cloud.positions());
+    isr_internal::Sites_around_doubts<Builder> find_sites(s.cloud.positions(), octree,
+                                                          std::numeric_limits<double>::infinity(), s.builder);
+    isr_internal::No_cancellation never;
+    std::vector<unsigned char> is_in_doubt(n, 0);
+    is_in_doubt[n / 3] = 1;
+    std::vector<Point_index> all(n);
+    std::iota(all.begin(), all.end(), Point_index(0));
+    find_sites.find(all, is_in_doubt, never);
+    const std::vector<Point_index>&sites = find_sites.sites(), &incomplete = find_sites.incomplete();
+    if (n == 100) {
+      ISR_CHECK(sites == all);
+      ISR_CHECK(incomplete.empty());
+      continue;
+    }
+    ISR_CHECK(sites.size() > n / 8 && sites.size() < n / 2);
+    ISR_CHECK(std::is_sorted(sites.begin(), sites.end()));
+    ISR_CHECK(std::includes(sites.begin(), sites.end(), incomplete.begin(), incomplete.end()));
+    const std::vector<unsigned char> is_near =
+      isr_internal::mark_rings(s.builder, std::vector<Point_index>{ Point_index(n / 3) }, 4, never);
+    for (Point_index p : all)
+      ISR_CHECK(is_near[p] == 0 || std::binary_search(sites.begin(), sites.end(), p));
+    for (Point_index p : sites) {
+      bool is_complete = true;
+      s.builder.for_each_triangle_at(p, [&](const Builder::Triangle& t) {
+        for (Point_index q : t)
+          is_complete = is_complete && std::binary_search(sites.begin(), sites.end(), q);
+      });
+      ISR_CHECK(is_complete || std::binary_search(incomplete.begin(), incomplete.end(), p));
+    }
+  }
+}
+
 // An ellipsoid with a hollow of the same shape.
 void test_sides()
 {
@@ -539,6 +584,7 @@ int main()
   test_left_alone();
   test_unclosed_loops();
   test_large_component();
+  test_sites();
   test_sides();
   test_kept_triangulation();
   return result();
