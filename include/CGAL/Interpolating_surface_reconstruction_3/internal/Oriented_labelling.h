@@ -77,12 +77,20 @@ public:
   }
 
   // Of the facets of a finite cell.
-  double area(Cell_index c) const
+  double area(Cell_index c) const { return area(m_positions, m_cells[c]); }
+
+  static double area(const std::vector<Local_point>& positions, const Cell_complex::Cell& cell)
   {
     double result = 0.;
     for (std::size_t i = 0; i != 4; ++i)
-      result += std::sqrt(normal_of(Cell_complex::facet(m_cells[c], i)).squared_length()) / 2;
+      result += std::sqrt(normal(positions, Cell_complex::facet(cell, i)).squared_length()) / 2;
     return result;
+  }
+
+  // Twice the area vector of a facet, whose vertices are seen in counterclockwise order from where it points.
+  static Local_vector normal(const std::vector<Local_point>& positions, const std::array<Point_index, 3>& f)
+  {
+    return cross_product(positions[f[1]] - positions[f[0]], positions[f[2]] - positions[f[0]]);
   }
 
   // Negative if the cell wants to be inside, in units of area.
@@ -120,7 +128,7 @@ public:
     for (std::size_t i = 0; i != 4; ++i) {
       const auto f = Cell_complex::facet(m_cells[c], i);
       if (!Cell_complex::is_infinite(f))
-        total += normal_of(f).squared_length();
+        total += normal(m_positions, f).squared_length();
     }
     return ROUNDING * std::sqrt(total);
   }
@@ -158,11 +166,6 @@ private:
     const double area = std::sqrt(area_vector.squared_length());
     const double along = area_vector * normals / 3;
     return Facet_energy{ AREA_SHARE * area - along, AREA_SHARE * area + along, area };
-  }
-
-  Local_vector normal_of(const std::array<Point_index, 3>& f) const
-  {
-    return cross_product(m_positions[f[1]] - m_positions[f[0]], m_positions[f[2]] - m_positions[f[0]]);
   }
 
   const Cell_complex& m_cells;

@@ -15,7 +15,6 @@
 #include <CGAL/license/Interpolating_surface_reconstruction_3.h>
 
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_surroundings.h>
-#include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/local_kernel.h>
 
@@ -40,7 +39,7 @@ public:
     : m_builder(builder), m_surroundings(points, octree, maximum_radius, builder.compatibility().stars())
   { }
 
-  // `component` is increasing. All of its points are sites if most of them would be.
+  // `component` is increasing. All of its points are sites if they are few, or if most of them would be.
   // `cancellation_point()` is called again and again and may throw.
   template <typename CancellationPoint>
   void find(const std::vector<Point_index>& component, const std::vector<unsigned char>& is_in_doubt,
@@ -50,7 +49,7 @@ public:
     m_sites = component;
     const std::size_t far_sites = (std::min)(MAXIMUM_FAR_SITES, component.size() / PART_OF_FAR_SITES);
     find_near(component, is_in_doubt, cancellation_point);
-    if (2 * (m_sites.size() + far_sites) > component.size()) {
+    if (far_sites == 0 || 2 * (m_sites.size() + far_sites) > component.size()) {
       m_sites = component;
       return;
     }

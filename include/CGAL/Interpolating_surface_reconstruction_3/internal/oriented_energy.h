@@ -55,7 +55,7 @@ public:
     for (Cell_index c = 0; c != cells.size(); ++c) {
       cancellation_point();
       if (!Cell_complex::is_infinite(cells[c]) && !(known(c, 0) && known(c, 1) && known(c, 2) && known(c, 3)))
-        m_free.push_back(Free_cell{ c, area_of_facets(cells[c]) });
+        m_free.push_back(Free_cell{ c, Oriented_labelling::area(m_points, cells[c]) });
     }
   }
 
@@ -105,19 +105,6 @@ private:
     Local_vector area_vector;
   };
 
-  double area_of_facets(const Cell_complex::Cell& cell) const
-  {
-    double result = 0.;
-    for (std::size_t i = 0; i != 4; ++i)
-      result += std::sqrt(normal_of(Cell_complex::facet(cell, i)).squared_length()) / 2;
-    return result;
-  }
-
-  Local_vector normal_of(const std::array<Point_index, 3>& f) const
-  {
-    return cross_product(m_points[f[1]] - m_points[f[0]], m_points[f[2]] - m_points[f[0]]);
-  }
-
   // Of the implicit function at the free cells.
   template <typename CancellationPoint>
   std::vector<float> values(CancellationPoint& cancellation_point) const
@@ -142,7 +129,7 @@ private:
       for (std::size_t i = 0; i != 4; ++i) {
         const std::array<Point_index, 3> f = Cell_complex::facet((*m_cells)[c], i);
         if (labelling.is_surface(c, i) && !Cell_complex::is_infinite(f))
-          m_facets.push_back(Surface_facet{ f, (i % 2 == 0 ? .5 : -.5) * normal_of(f) });
+          m_facets.push_back(Surface_facet{ f, (i % 2 == 0 ? .5 : -.5) * Oriented_labelling::normal(m_points, f) });
       }
     }
   }
