@@ -1,6 +1,7 @@
 #include "isr_surface_test_utils.h"
 #include "isr_test_self_intersections.h"
 
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Face_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Point_octree_3.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/boundary_loops.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/hole_closing.h>
@@ -306,6 +307,28 @@ void test_faces_with_holes()
   ISR_CHECK(close(v));
   ISR_CHECK_EQUAL(validation::number_of_components(v.triangles()), 2u);
   ISR_CHECK_EQUAL(validation::euler_characteristic(v.triangles()), 4);
+}
+
+// Rims bound a face, but not where they cross, even if two points that coincide in the plane make up for the vertex that
+// this adds to their triangulation.
+void test_crossing_rims()
+{
+  begin_case("crossing rims");
+  using isr_internal::Local_point;
+  const std::vector<Local_point> points{ Local_point(0, 0, 0),  Local_point(4, 4, 0),  Local_point(4, 0, 0),
+                                         Local_point(0, 4, 0),  Local_point(10, 0, 0), Local_point(12, 0, 0),
+                                         Local_point(12, 2, 0), Local_point(12, 2, 1) };
+  const isr_internal::Face_plane plane{ points[0], points[2], isr_internal::Local_vector(0, 0, 1), 16., 4. };
+  const isr_internal::Face_triangulation triangulate(points);
+  isr_internal::No_cancellation no_cancellation;
+  const auto number_of_triangles = [&](const std::vector<Boundary_loop>& loops) {
+    return triangulate(plane, loops, {}, no_cancellation).triangles.size();
+  };
+  ISR_CHECK_EQUAL(number_of_triangles({ { 0, 2, 1, 3 } }), std::size_t(2));
+  ISR_CHECK_EQUAL(number_of_triangles({ { 0, 2, 1, 3 }, { 4, 5, 6 } }), std::size_t(3));
+  ISR_CHECK_EQUAL(number_of_triangles({ { 0, 1, 2, 3 } }), std::size_t(0));
+  ISR_CHECK_EQUAL(number_of_triangles({ { 4, 5, 6, 7 } }), std::size_t(0));
+  ISR_CHECK_EQUAL(number_of_triangles({ { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }), std::size_t(0));
 }
 
 // All that could close a flat sheet would lie on it.
@@ -670,6 +693,7 @@ int main()
   test_no_loops();
   test_long_loop();
   test_faces_with_holes();
+  test_crossing_rims();
   test_flat_sheet();
   test_crossing_lid();
   test_crossing_lid_of_closed_surface();

@@ -48,7 +48,7 @@ public:
   explicit Face_triangulation(const std::vector<Local_point>& points) : m_points(points) { }
 
   // The triangles inside of an odd number of the loops, with the loose points as vertices; none if loops do not bound
-  // faces, or if there are loose points in holes, far from the rims: then what has covered these was right.
+  // faces, if points coincide in the plane, or if there are loose points in holes, far from the rims: then what has covered these was right.
   template <typename CancellationPoint>
   Flat_face operator()(const Face_plane& plane, const std::vector<Boundary_loop>& loops,
                        const std::vector<Point_index>& loose, CancellationPoint& cancellation_point) const
@@ -69,16 +69,17 @@ public:
     points.erase(std::unique(points.begin(), points.end()), points.end());
     std::vector<Vertex_handle> vertices;
     std::transform(points.begin(), points.end(), std::back_inserter(vertices), insert);
+    if (triangulation.number_of_vertices() != points.size())
+      return Flat_face{ {}, false };
     const auto vertex_of = [&](Point_index p) {
       return vertices[std::size_t(std::lower_bound(points.begin(), points.end(), p) - points.begin())];
     };
     for (const Boundary_loop& loop : loops)
       for (std::size_t k = 0; k != loop.size(); ++k) {
-        const auto from = vertex_of(loop[k]), to = vertex_of(loop[(k + 1) % loop.size()]);
-        if (from != to)
-          triangulation.insert_constraint(from, to);
+        if (loop[k] != loop[(k + 1) % loop.size()])
+          triangulation.insert_constraint(vertex_of(loop[k]), vertex_of(loop[(k + 1) % loop.size()]));
       }
-    // Loops that cross each other in the plane do not bound a face.
+    // Loops that cross each other in the plane do not bound a face: where they do is a new vertex, which is no point.
     if (triangulation.number_of_vertices() != points.size() || triangulation.dimension() != 2)
       return Flat_face{ {}, false };
     vertices.clear();
