@@ -12,58 +12,25 @@
 #ifndef ISR_FUZZ_INPUT_H
 #define ISR_FUZZ_INPUT_H
 
-#include "../isr_test_samples.h"
+#include "isr_fuzz_bytes.h"
+#include "isr_fuzz_parts.h"
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <iostream>
 #include <set>
 
 namespace isr_fuzz {
 
-using isr_test::Point;
-using isr_test::Points;
+// Parts with fewer points have no faces with holes.
+constexpr std::size_t POINTS_OF_PARTS = 5;
 
-// The bytes of an input as numbers; zeros follow its end.
-class Byte_stream
-{
-public:
-  Byte_stream(const std::uint8_t* data, std::size_t size) : m_data(data), m_end(data + size) { }
-
-  bool is_at_end() const { return m_data == m_end; }
-  unsigned byte() { return is_at_end() ? 0u : *m_data++; }
-  std::size_t below(std::size_t n) { return byte() % n; }
-
-  // Few different numbers, so that many points are equal, collinear, coplanar or cospherical.
-  double small() { return double(static_cast<std::int8_t>(byte())) / 16.; }
-
-  // A number some floating-point numbers beside a small one.
-  double nudged()
-  {
-    const double value = small();
-    return value + std::ldexp(double(byte() % 7) - 3., -52);
-  }
-
-  double any()
-  {
-    std::uint8_t bytes[sizeof(double)];
-    for (std::uint8_t& b : bytes)
-      b = static_cast<std::uint8_t>(byte());
-    double result;
-    std::memcpy(&result, bytes, sizeof result);
-    return result;
-  }
-
-private:
-  const std::uint8_t* m_data;
-  const std::uint8_t* const m_end;
-};
-
+// Of parts, up to so many times the maximum size.
 inline Points read_points(Byte_stream& in, std::size_t maximum_size)
 {
-  const std::size_t kind = in.below(4);
+  const std::size_t kind = in.below(5);
+  if (kind == 4)
+    return Parts(in, POINTS_OF_PARTS * maximum_size).points();
   const auto coordinate = [&] {
     return kind == 0   ? in.small()
            : kind == 1 ? in.nudged()
