@@ -1,4 +1,4 @@
-# Included by the top-level CMakeLists.txt: the tests need the benchmark isr_tables.
+# Included by the top-level CMakeLists.txt: the tests need the benchmarks.
 if(TARGET isr_tables)
   add_executable(test_isr_benchmark_surfaces ${CMAKE_CURRENT_LIST_DIR}/test_isr_benchmark_surfaces.cpp)
   target_include_directories(test_isr_benchmark_surfaces PRIVATE
@@ -9,6 +9,11 @@ if(TARGET isr_tables)
 
   find_program(CGAL_ISR_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
   mark_as_advanced(CGAL_ISR_PYTHON)
+  if(CGAL_ISR_PYTHON)
+    add_test(NAME isr_quality
+      COMMAND ${CGAL_ISR_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/test_isr_quality.py $<TARGET_FILE:isr_derived_meshes>
+        $<TARGET_FILE:isr_compare> ${PROJECT_BINARY_DIR}/quality_test)
+  endif()
   set(isr_has_matplotlib 1)
   if(CGAL_ISR_PYTHON)
     execute_process(COMMAND ${CGAL_ISR_PYTHON} -c "import matplotlib, numpy, PIL"
