@@ -83,20 +83,24 @@ private:
   bool insert(Point_index p)
   {
     const std::vector<Target> nearest = targets(p);
-    m_may_cross = false;
-    m_has_crossed = false;
-    m_pairs_left = MAXIMUM_PAIRS;
-    if (insert(p, nearest))
-      return true;
-    m_may_cross = true;
-    return m_has_crossed && insert(p, nearest);
+    std::size_t pairs_left = MAXIMUM_PAIRS;
+    bool has_crossed = false;
+    const auto crosses_nothing = [&](const std::vector<Triangle>& added) {
+      const bool result = pairs_left != 0 && !crosses(p, added, pairs_left);
+      has_crossed = has_crossed || !result;
+      return result;
+    };
+    return insert(p, nearest, crosses_nothing) ||
+           (has_crossed && insert(p, nearest, [](const std::vector<Triangle>&) { return true; }));
   }
 
-  bool insert(Point_index p, const std::vector<Target>& nearest)
+  // Into the first target for which is_wanted(triangles around the point) holds.
+  template <typename IsWanted>
+  bool insert(Point_index p, const std::vector<Target>& nearest, const IsWanted& is_wanted)
   {
     return std::any_of(nearest.begin(), nearest.end(), [&](const Target& target) {
       return !is_crowded(target.triangle) &&
-             ((target.edge != 3 && split_edge(p, target)) || split_triangle(p, target.triangle));
+             ((target.edge != 3 && split_edge(p, target, is_wanted)) || split_triangle(p, target.triangle, is_wanted));
     });
   }
 
@@ -150,14 +154,17 @@ private:
   }
 
   // Replaces the triangle by three around the point.
-  bool split_triangle(Point_index p, const Triangle& t)
+  template <typename IsWanted>
+  bool split_triangle(Point_index p, const Triangle& t, const IsWanted& is_wanted)
   {
-    return replace(p, { t },
-                   { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } });
+    return replace({ t },
+                   { Triangle{ { t[0], t[1], p } }, Triangle{ { t[1], t[2], p } }, Triangle{ { t[2], t[0], p } } },
+                   is_wanted);
   }
 
   // Splits the edge opposite to vertex `edge` and the triangles at it in two.
-  bool split_edge(Point_index p, const Target& target)
+  template <typename IsWanted>
+  bool split_edge(Point_index p, const Target& target, const IsWanted& is_wanted)
   {
     const Point_index r = target.triangle[target.edge], u = target.triangle[(target.edge + 1) % 3],
                       v = target.triangle[(target.edge + 2) % 3];
@@ -171,11 +178,12 @@ private:
       added.push_back(Triangle{ { s, v, p } });
       added.push_back(Triangle{ { p, u, s } });
     }
-    return replace(p, removed, added);
+    return replace(removed, added, is_wanted);
   }
 
   // Exchanges the triangles for those around the point, or none.
-  bool replace(Point_index p, const std::vector<Triangle>& removed, const std::vector<Triangle>& added)
+  template <typename IsWanted>
+  bool replace(const std::vector<Triangle>& removed, const std::vector<Triangle>& added, const IsWanted& is_wanted)
   {
     std::vector<typename Builder::Removed_triangle> stored;
     for (const Triangle& t : removed) {
@@ -187,7 +195,7 @@ private:
     while (attached != added.size() &&
            m_builder.try_add(added[attached][0], added[attached][1], added[attached][2]) == Triangle_verdict::ADDED)
       ++attached;
-    if (attached == added.size() && (m_may_cross || !crosses(p, added))) {
+    if (attached == added.size() && is_wanted(added)) {
       for (const Triangle& t : added)
         m_crosses.attach(t);
       return true;
@@ -199,14 +207,12 @@ private:
     return false;
   }
 
-  // Of the triangles around the point; also if too many have been looked at.
-  bool crosses(Point_index p, const std::vector<Triangle>& triangles)
+  // Of the triangles around the point; takes the pairs that have been looked at from those left.
+  bool crosses(Point_index p, const std::vector<Triangle>& triangles, std::size_t& pairs_left)
   {
-    const bool result = m_pairs_left == 0 || m_crosses(triangles, [p](const Triangle& t) {
-                          return std::find(t.begin(), t.end(), p) == t.end();
-                        });
-    m_pairs_left -= (std::min)(m_pairs_left, m_crosses.take_pairs());
-    m_has_crossed = m_has_crossed || result;
+    const bool result =
+      m_crosses(triangles, [p](const Triangle& t) { return std::find(t.begin(), t.end(), p) == t.end(); });
+    pairs_left -= (std::min)(pairs_left, m_crosses.take_pairs());
     return result;
   }
 
@@ -226,9 +232,6 @@ private:
   Builder& m_builder;
   Nearest_neighbors m_neighbors;
   Crossing_test<Builder> m_crosses;
-  // When the current point is inserted, what was refused for that, and what may still be looked at.
-  bool m_may_cross = false, m_has_crossed = false;
-  std::size_t m_pairs_left = 0;
 };
 
 } // namespace internal

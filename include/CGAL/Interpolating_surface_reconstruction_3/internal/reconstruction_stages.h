@@ -107,10 +107,7 @@ public:
       return;
     }
     std::size_t attached = 0;
-    const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
-      report(t, verdict);
-    };
+    const auto on_verdict = report_and_count(attached);
     Hole_closing<Builder> close(m_cloud.positions(), builder, m_options.maximum_hole_size);
     close.close_planar_loops(m_progress, on_verdict);
     if (closing_options().closes_all_loops())
@@ -124,10 +121,7 @@ public:
   {
     m_progress.begin_stage(Stage::HOLES, share);
     std::size_t attached = 0;
-    const auto on_verdict = [&](const typename Builder::Triangle& t, Triangle_verdict verdict) {
-      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
-      report(t, verdict);
-    };
+    const auto on_verdict = report_and_count(attached);
     Surface_closing<ConcurrencyTag, Builder, StarConstruction, Progress<Visitor>, decltype(on_verdict)> close(
       m_cloud.positions(), m_normals, octree, m_construction, closing_options(), builder, m_triangulation, m_progress,
       on_verdict);
@@ -163,6 +157,15 @@ public:
   }
 
 private:
+  // What is called with the verdicts of a stage: tells the visitor, and counts the triangles attached.
+  auto report_and_count(std::size_t& attached)
+  {
+    return [this, &attached](const typename Builder::Triangle& t, Triangle_verdict verdict) {
+      attached += verdict == Triangle_verdict::ADDED ? 1u : 0u;
+      report(t, verdict);
+    };
+  }
+
   Closing_options closing_options() const
   {
     return Closing_options{ maximum_radius(), m_options.maximum_hole_size, m_options.keep_boundaries };
