@@ -75,7 +75,7 @@ int count_right(const Make& make, int euler)
 int main()
 {
   begin_case("tori");
-  ISR_CHECK(count_right(thin_torus, 0) >= 32);
+  ISR_CHECK(count_right(thin_torus, 0) >= 36);
   begin_case("dumbbells");
   ISR_CHECK(count_right(dumbbell, 2) >= 34);
   return result();

@@ -9,7 +9,7 @@
 //
 // Author(s) : The authors of Interpolating_surface_reconstruction_3
 
-// Winding numbers, normals that are made consistent with them, and components that they reunite.
+// Winding numbers, normals that are made consistent with them, and surfaces that these decide.
 
 #include "isr_stage_test_utils.h"
 #include "isr_surface_test_utils.h"
@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Cell_complex.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_contacts.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_relabelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Dipole_view.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Normal_consistency.h>
@@ -32,6 +33,7 @@ using namespace isr_test;
 using isr_internal::Cell_complex;
 using isr_internal::Component_contacts;
 using isr_internal::Component_reunion;
+using isr_internal::Conflict_relabelling;
 using isr_internal::Dipole_view;
 using isr_internal::Kept_triangulation;
 using isr_internal::Local_point;
@@ -153,6 +155,38 @@ void test_consistency()
   ISR_CHECK(std::all_of(areas.begin(), areas.end(), [](const Local_vector& a) { return a == Local_vector(0, 0, 0); }));
 }
 
+// Half of a sphere tells the other half.
+void test_unknown()
+{
+  begin_case("unknown normals");
+  const std::vector<Local_point> points = isr_stage_test::sphere(600, .02, 4);
+  const Cell_complex cells(points, all_indices(points.size()));
+  const std::vector<Local_vector> right = sphere_areas(points);
+  isr_internal::No_cancellation never;
+  Normal_consistency find_normals(points);
+  find_normals.set_cells(cells, never);
+  std::vector<Local_vector> areas = right;
+  std::vector<unsigned char> is_unknown;
+  for (std::size_t k = 0; k != points.size(); ++k) {
+    is_unknown.push_back(points[k].z() < 0. ? 1 : 0);
+    if (is_unknown[k])
+      areas[k] = Local_vector(right[k].y(), right[k].z(), -right[k].x()); // must not matter
+  }
+  find_normals.find_unknown(is_unknown, areas, never);
+  for (std::size_t k = 0; k != areas.size(); ++k)
+    if (is_unknown[k]) {
+      ISR_CHECK(deviation(areas[k], right[k]) < 45.);
+      ISR_CHECK(std::abs(areas[k].squared_length() / right[k].squared_length() - 1.) < 1e-9);
+    } else {
+      ISR_CHECK(areas[k] == right[k]);
+    }
+
+  begin_case("none are known");
+  std::fill(is_unknown.begin(), is_unknown.end(), static_cast<unsigned char>(1));
+  find_normals.find_unknown(is_unknown, areas, never);
+  ISR_CHECK(std::all_of(areas.begin(), areas.end(), [](const Local_vector& a) { return a == Local_vector(0, 0, 0); }));
+}
+
 // A cap of a sphere whose normals are those of a lid below it: neighbors agree on it, the winding number does not.
 void test_fit()
 {
@@ -238,13 +272,85 @@ void test_reunion()
   ISR_CHECK(canonical(bodies.triangles()) == canonical(mesh.triples));
 }
 
+bool relabel(Hand_surface& s)
+{
+  Kept_triangulation triangulation(s.cloud.positions());
+  return Conflict_relabelling<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), s.builder,
+                                                                           triangulation)(no_progress);
+}
+
+// An ellipsoid that is cut in two by caps, which is not what most stars around the cut see: each of them has lost a neighbor,
+// so that they do not agree.
+void test_relabelling()
+{
+  begin_case("stars vote against a cut");
+  Points points = sphere_fibonacci(300).points;
+  for (Point& p : points)
+    p = Point(.9 * p.x(), p.y(), 1.1 * p.z());
+  const Hand_surface whole(points);
+  const Triples right =
+    surface_of_labels(whole, [](const Cell_complex::Cell& c) { return Cell_complex::is_infinite(c) ? 0 : 1; });
+  Links links = links_of(points.size(), right);
+  for (std::size_t p = 0; p != points.size(); ++p)
+    if (std::abs(points[p].z()) < .3)
+      links[p].erase(links[p].begin());
+  const auto make = [&](Hand_surface& s, const Triples& triples) {
+    const auto is_missing_in = [](const Triples& sorted, const Triple& t) {
+      return !std::binary_search(sorted.begin(), sorted.end(), t);
+    };
+    const Triples wanted = canonical(triples), agreed = canonical(s.triangles());
+    for (const Triple& t : agreed)
+      if (is_missing_in(wanted, t))
+        s.remove(t[0], t[1], t[2]);
+    return std::all_of(wanted.begin(), wanted.end(), [&](const Triple& t) {
+      return !is_missing_in(agreed, t) || s.add(t[0], t[1], t[2]) == Triangle_verdict::ADDED;
+    });
+  };
+  const double low = whole.cloud.positions()[whole.indices.back()].z(),
+               high = whole.cloud.positions()[whole.indices.front()].z();
+  const Triples cut = cut_surface(whole, (low + high) / 2.);
+  Hand_surface s(points, links);
+  ISR_CHECK(make(s, cut));
+  ISR_CHECK(canonical(s.triangles()) == canonical(cut));
+  ISR_CHECK_EQUAL(number_of_components(s), 2u);
+  ISR_CHECK(relabel(s));
+  ISR_CHECK_EQUAL(number_of_components(s), 1u);
+  const Triples after = s.triangles();
+  ISR_CHECK(validation::is_oriented_manifold(points, after, Kernel()));
+  ISR_CHECK(validation::boundary_edges(after).empty());
+  ISR_CHECK_EQUAL(validation::used_points(after).size(), points.size());
+  ISR_CHECK_EQUAL(validation::euler_characteristic(after), 2);
+  ISR_CHECK(!relabel(s)); // nothing is left to do
+
+  begin_case("no stars, no votes");
+  Hand_surface voteless(points);
+  ISR_CHECK(voteless.add(cut));
+  ISR_CHECK(!relabel(voteless));
+  ISR_CHECK(canonical(voteless.triangles()) == canonical(cut));
+
+  begin_case("a surface that is not closed");
+  Hand_surface open(points, links);
+  ISR_CHECK(make(open, cut));
+  const auto missing = std::find_if(cut.begin(), cut.end(), [&](const Triple& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::size_t p) { return std::abs(points[p].z()) < .3; });
+  });
+  ISR_CHECK(missing != cut.end());
+  open.remove((*missing)[0], (*missing)[1], (*missing)[2]);
+  const Triples before = canonical(open.triangles());
+  ISR_CHECK_EQUAL(before.size(), cut.size() - 1);
+  ISR_CHECK(!relabel(open));
+  ISR_CHECK(canonical(open.triangles()) == before);
+}
+
 } // namespace
 
 int main()
 {
   test_dipoles();
   test_consistency();
+  test_unknown();
   test_fit();
   test_reunion();
+  test_relabelling();
   return result();
 }

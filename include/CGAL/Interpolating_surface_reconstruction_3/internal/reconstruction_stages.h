@@ -102,7 +102,9 @@ public:
   void complete_conflicts(const Point_octree_3& octree, Builder& builder, double share)
   {
     m_progress.begin_stage(Stage::COMPLETION, share);
-    if (closing_options().closes_all_loops() && Prism_recognition<Builder>(m_cloud.positions(), builder)(m_progress)) {
+    m_is_prism =
+      closing_options().closes_all_loops() && Prism_recognition<Builder>(m_cloud.positions(), builder)(m_progress);
+    if (m_is_prism) {
       m_progress.end_stage(builder.number_of_stored_triangles());
       return;
     }
@@ -168,7 +170,7 @@ private:
 
   Closing_options closing_options() const
   {
-    return Closing_options{ maximum_radius(), m_options.maximum_hole_size, m_options.keep_boundaries };
+    return Closing_options{ maximum_radius(), m_options.maximum_hole_size, m_options.keep_boundaries, !m_is_prism };
   }
 
   double maximum_radius() const
@@ -189,6 +191,7 @@ private:
   Progress<Visitor>& m_progress;
   const Predicates m_predicates;
   Kept_triangulation m_triangulation; // most of what the later stages look at is the same
+  bool m_is_prism = false;            // then its stars, which do not know of the other end, are of no use
 };
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Bore_opening.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_joining.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Component_reunion.h>
+#include <CGAL/Interpolating_surface_reconstruction_3/internal/Conflict_relabelling.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Corner_recovery.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Diagonal_exchange.h>
 #include <CGAL/Interpolating_surface_reconstruction_3/internal/Kept_triangulation.h>
@@ -50,6 +51,7 @@ struct Closing_options
   double maximum_radius = std::numeric_limits<double>::infinity(); // of neighborhoods
   std::size_t maximum_hole_size = (std::numeric_limits<std::size_t>::max)();
   bool keep_boundaries = false;
+  bool relabels_conflicts = true;
 
   bool closes_all_loops() const
   {
@@ -85,6 +87,8 @@ public:
     insert_points();
     remove_crossings();
     if (m_options.closes_all_loops()) {
+      if (m_options.relabels_conflicts)
+        relabel_conflicts();
       open_bores();
       recover_corners();
       if (reunite_components())
@@ -177,6 +181,13 @@ private:
       may_be_in_vain = pass != 0 && !is_in_vain;
       crossings = remove.number_of_crossings();
     }
+  }
+
+  void relabel_conflicts()
+  {
+    Conflict_relabelling<ConcurrencyTag, Builder> relabel(m_points, m_builder, m_triangulation);
+    if (relabel(m_progress))
+      m_unused = m_insert(m_progress);
   }
 
   void open_bores()
