@@ -77,7 +77,7 @@ private:
   using Triangles = std::vector<Triangle>;
 
   // Of the points: with fewer conflicts, to triangulate all takes longer than everything else, and hardly anything changes.
-  static constexpr std::size_t PART_IN_CONFLICT = 16;
+  static constexpr std::size_t PART_IN_CONFLICT = 8;
 
   // What is won must be more than other diagonals win.
   static constexpr std::size_t CONFLICTS_PER_VOTE = 10;

@@ -59,11 +59,8 @@ public:
   template <typename Cancellation_point>
   void operator()(std::vector<Local_vector>& areas, Cancellation_point& cancellation_point)
   {
-    for (int round = 0; round != ROUNDS; ++round) {
-      find_field(areas, cancellation_point);
-      for (std::size_t k = 0; k != areas.size(); ++k)
-        areas[k] = turned_to_field(areas[k], m_field[k]);
-    }
+    for (int round = 0; round != ROUNDS; ++round)
+      turn(areas, cancellation_point);
   }
 
   // The same for the points with `is_unknown[k]` alone, whose area vectors have no direction at first.
@@ -75,8 +72,27 @@ public:
     for (std::size_t k = 0; k != areas.size(); ++k)
       if (is_unknown[k])
         areas[k] = Local_vector(0, 0, 0);
+    std::vector<Local_vector> of_known(areas.size(), Local_vector(0, 0, 0));
+    std::vector<std::size_t> edges; // between unknown ones
+    for (std::size_t e = 0; e != m_edges.size(); ++e) {
+      cancellation_point();
+      const std::uint32_t a = m_edges[e].first, b = m_edges[e].second;
+      if (is_unknown[a] && is_unknown[b])
+        edges.push_back(e);
+      else if (is_unknown[a])
+        of_known[a] = of_known[a] + m_views[e].field(areas[b]);
+      else if (is_unknown[b])
+        of_known[b] = of_known[b] + m_views[e].field(areas[a]);
+    }
     for (int round = 0; round != ROUNDS_FROM_NOTHING; ++round) {
-      find_field(areas, cancellation_point);
+      m_field = of_known;
+      for (std::size_t k = 0; k != areas.size(); ++k)
+        if (is_unknown[k])
+          m_field[k] = m_field[k] + Dipole_view(Local_vector(0, 0, 0), m_softenings[k]).field(areas[k]);
+      for (std::size_t e : edges) {
+        cancellation_point();
+        exchange_fields(e, areas);
+      }
       for (std::size_t k = 0; k != areas.size(); ++k)
         if (is_unknown[k] && m_field[k] != Local_vector(0, 0, 0))
           areas[k] = turned_to_field(old[k], m_field[k]);
@@ -155,17 +171,24 @@ private:
   }
 
   template <typename Cancellation_point>
-  void find_field(const std::vector<Local_vector>& areas, Cancellation_point& cancellation_point)
+  void turn(std::vector<Local_vector>& areas, Cancellation_point& cancellation_point)
   {
     m_field.clear();
     for (std::size_t k = 0; k != areas.size(); ++k)
       m_field.push_back(Dipole_view(Local_vector(0, 0, 0), m_softenings[k]).field(areas[k]));
     for (std::size_t e = 0; e != m_edges.size(); ++e) {
       cancellation_point();
-      const std::uint32_t a = m_edges[e].first, b = m_edges[e].second;
-      m_field[a] = m_field[a] + m_views[e].field(areas[b]);
-      m_field[b] = m_field[b] + m_views[e].field(areas[a]); // the same from the other side
+      exchange_fields(e, areas);
     }
+    for (std::size_t k = 0; k != areas.size(); ++k)
+      areas[k] = turned_to_field(areas[k], m_field[k]);
+  }
+
+  void exchange_fields(std::size_t e, const std::vector<Local_vector>& areas)
+  {
+    const std::uint32_t a = m_edges[e].first, b = m_edges[e].second;
+    m_field[a] = m_field[a] + m_views[e].field(areas[b]);
+    m_field[b] = m_field[b] + m_views[e].field(areas[a]); // the same from the other side
   }
 
   const std::vector<Local_point>& m_points;
@@ -173,7 +196,7 @@ private:
   std::vector<Dipole_view> m_views; // of the edges
   std::vector<double> m_softenings;
   std::vector<std::uint32_t> m_last;
-  std::vector<Local_vector> m_field; // of the points
+  std::vector<Local_vector> m_field;
 };
 
 } // namespace internal
