@@ -272,11 +272,13 @@ void test_reunion()
   ISR_CHECK(canonical(bodies.triangles()) == canonical(mesh.triples));
 }
 
+using Relabelling = Conflict_relabelling<CGAL::Sequential_tag, Hand_surface::Builder>;
+
 bool relabel(Hand_surface& s)
 {
   Kept_triangulation triangulation(s.cloud.positions());
-  return Conflict_relabelling<CGAL::Sequential_tag, Hand_surface::Builder>(s.cloud.positions(), s.builder,
-                                                                           triangulation)(no_progress);
+  Relabelling relabelling(s.cloud.positions(), s.builder, triangulation);
+  return relabelling(no_progress) && relabelling.keep_if_better();
 }
 
 // An ellipsoid that is cut in two by caps, which is not what most stars around the cut see: each of them has lost a neighbor,
@@ -321,6 +323,20 @@ void test_relabelling()
   ISR_CHECK_EQUAL(validation::used_points(after).size(), points.size());
   ISR_CHECK_EQUAL(validation::euler_characteristic(after), 2);
   ISR_CHECK(!relabel(s)); // nothing is left to do
+
+  begin_case("what becomes of the new surface is no better");
+  Hand_surface worse(points, links);
+  ISR_CHECK(make(worse, cut));
+  Kept_triangulation triangulation(worse.cloud.positions());
+  Relabelling relabelling(worse.cloud.positions(), worse.builder, triangulation);
+  ISR_CHECK(relabelling(no_progress));
+  ISR_CHECK_EQUAL(number_of_components(worse), 1u);
+  const Triples parts = cut_surface(whole, (3. * low + 2. * high) / 5.);
+  ISR_CHECK(make(worse, parts));
+  ISR_CHECK_EQUAL(number_of_components(worse), 2u);
+  ISR_CHECK(canonical(worse.triangles()) != canonical(cut));
+  ISR_CHECK(!relabelling.keep_if_better());
+  ISR_CHECK(canonical(worse.triangles()) == canonical(cut));
 
   begin_case("no stars, no votes");
   Hand_surface voteless(points);

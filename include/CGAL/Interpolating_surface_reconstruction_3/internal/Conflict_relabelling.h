@@ -41,8 +41,9 @@ namespace internal {
 
 // A second opinion on conflicts: the surface that bends least may lead through a part, or from one part to another, where
 // points are sparse. The directions of the points in conflict are found anew, from those of the agreed ones alone, and the
-// Delaunay cells there are labelled by the linear implicit function of these normals (thesis 5.2). Of the two surfaces, the
-// one that more stars vote for stays (thesis 4.2: compatibility): a star that is not agreed on is seldom all wrong.
+// Delaunay cells there are labelled by the linear implicit function of these normals (thesis 5.2). Of the two surfaces, once
+// both are finished, the one that more stars vote for stays (thesis 4.2: compatibility): a star that is not agreed on is
+// seldom all wrong.
 template <typename ConcurrencyTag, typename Builder>
 class Conflict_relabelling
 {
@@ -53,7 +54,7 @@ public:
     : m_points(points), m_builder(builder), m_triangulation(triangulation), m_find_normals(points)
   { }
 
-  // For a closed surface; does nothing for others. Returns whether it has changed; ends early if cancelled.
+  // For a closed surface; does nothing for others. Returns whether another surface is there now; ends early if cancelled.
   template <typename Progress>
   bool operator()(Progress& progress)
   {
@@ -64,13 +65,26 @@ public:
       const std::shared_ptr<const Cell_complex> cells = m_triangulation(m_group, cancellation_point);
       if (cells->size() == 0)
         return false;
-      const Triangles old = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
-      const Triangles relabelled = relabel(*cells, old, progress, cancellation_point);
-      return is_better(relabelled, old) &&
-             !exchange_triangles(m_builder, m_group, relabelled, cancellation_point).empty();
+      m_old = oriented_triangles(m_points, {}, m_builder, [&] { return progress.advance(0.); });
+      Triangles relabelled = relabel(*cells, progress, cancellation_point);
+      return has_more_votes(relabelled) && exchange(std::move(relabelled), cancellation_point);
     } catch (const Cancelled&) {
       return false;
     }
+  }
+
+  // After that has returned true, and what was to be done to the new surface is done: takes it back unless it is better.
+  // Returns whether it stays.
+  bool keep_if_better()
+  {
+    const Triangles current = triangles();
+    if (is_better(current))
+      return true;
+    for (const Triangle& t : current)
+      m_builder.remove(m_builder.find_triangle(t[0], t[1], t[2]));
+    for (const typename Builder::Removed_triangle& t : m_removed)
+      m_builder.restore(t);
+    return false;
   }
 
 private:
@@ -106,11 +120,10 @@ private:
   }
 
   template <typename Progress, typename CancellationPoint>
-  Triangles relabel(const Cell_complex& cells, const Triangles& old, Progress& progress,
-                    CancellationPoint& cancellation_point)
+  Triangles relabel(const Cell_complex& cells, Progress& progress, CancellationPoint& cancellation_point)
   {
-    const std::vector<Local_vector> normals = normals_from_agreed(cells, old, cancellation_point);
-    const Surface_sides sides(cells, old, m_is_in_conflict, cancellation_point);
+    const std::vector<Local_vector> normals = normals_from_agreed(cells, cancellation_point);
+    const Surface_sides sides(cells, m_old, m_is_in_conflict, cancellation_point);
     Oriented_labelling labelling =
       label_by_sides<ConcurrencyTag>(cells, sides, m_points, normals, progress, cancellation_point);
     make_nearly_manifold(cells, labelling, cancellation_point);
@@ -119,10 +132,9 @@ private:
 
   // Unit normals, or zero.
   template <typename CancellationPoint>
-  std::vector<Local_vector> normals_from_agreed(const Cell_complex& cells, const Triangles& triangles,
-                                                CancellationPoint& cancellation_point)
+  std::vector<Local_vector> normals_from_agreed(const Cell_complex& cells, CancellationPoint& cancellation_point)
   {
-    std::vector<Local_vector> result = doubled_area_vectors(m_points, triangles), areas;
+    std::vector<Local_vector> result = doubled_area_vectors(m_points, m_old), areas;
     std::vector<unsigned char> is_unknown;
     for (Point_index p : m_group) {
       areas.push_back(result[p]);
@@ -135,16 +147,40 @@ private:
     return unit_vectors(std::move(result));
   }
 
+  // All triangles for others. Returns whether it does, not if one of them is refused.
+  template <typename CancellationPoint>
+  bool exchange(Triangles relabelled, CancellationPoint& cancellation_point)
+  {
+    auto removed = exchange_triangles(m_builder, triangles(), std::move(relabelled), 0, cancellation_point);
+    if (removed)
+      m_removed = std::move(*removed);
+    return removed.has_value();
+  }
+
+  // As they are stored.
+  Triangles triangles() const
+  {
+    Triangles result;
+    m_builder.for_each_triangle([&](const Triangle& t, auto) { result.push_back(t); });
+    return result;
+  }
+
+  // Clearly more of all stars than the surface as it was.
+  bool has_more_votes(const Triangles& current) const
+  {
+    return votes(current) > votes(m_old) + m_conflicts / CONFLICTS_PER_VOTE;
+  }
+
   // Whether it has another topology, all points and no more components, and clearly more stars vote for it. Where the
   // topology is the same, the surface that bends less is better.
-  bool is_better(const Triangles& relabelled, const Triangles& old) const
+  bool is_better(const Triangles& current) const
   {
-    if (votes(relabelled) <= votes(old) + m_conflicts / CONFLICTS_PER_VOTE)
+    if (!has_more_votes(current))
       return false;
-    const Component_contacts after(m_points, relabelled);
-    const std::size_t components = Component_contacts(m_points, old).size();
+    const Component_contacts after(m_points, current);
+    const std::size_t components = Component_contacts(m_points, m_old).size();
     // Handles are triangles more, as the points are the same.
-    return (relabelled.size() != old.size() ? after.size() <= components : after.size() < components) &&
+    return (current.size() != m_old.size() ? after.size() <= components : after.size() < components) &&
            std::all_of(m_group.begin(), m_group.end(), [&](Point_index p) { return after.is_on_surface(p); });
   }
 
@@ -160,9 +196,11 @@ private:
   Builder& m_builder;
   Kept_triangulation& m_triangulation;
   Normal_consistency m_find_normals;
-  std::vector<Point_index> m_group;            // the points of the surface, increasing
-  std::vector<unsigned char> m_is_in_conflict; // of each point
-  std::size_t m_conflicts = 0;                 // their number
+  std::vector<Point_index> m_group;                          // the points of the surface, increasing
+  std::vector<unsigned char> m_is_in_conflict;               // of each point
+  std::size_t m_conflicts = 0;                               // their number
+  Triangles m_old;                                           // the surface as it was, oriented
+  std::vector<typename Builder::Removed_triangle> m_removed; // the same as it was stored
 };
 
 } // namespace internal

@@ -87,12 +87,9 @@ public:
     insert_points();
     remove_crossings();
     if (m_options.closes_all_loops()) {
+      find_what_loops_hide();
       if (m_options.relabels_conflicts)
         relabel_conflicts();
-      open_bores();
-      recover_corners();
-      if (reunite_components())
-        join_components();
     }
     m_triangulation.clear(); // nothing needs it any more
     if (m_options.keep_boundaries)
@@ -183,11 +180,23 @@ private:
     }
   }
 
+  void find_what_loops_hide()
+  {
+    open_bores();
+    recover_corners();
+    if (reunite_components())
+      join_components();
+  }
+
   void relabel_conflicts()
   {
     Conflict_relabelling<ConcurrencyTag, Builder> relabel(m_points, m_builder, m_triangulation);
-    if (relabel(m_progress))
-      m_unused = m_insert(m_progress);
+    if (!relabel(m_progress))
+      return;
+    const std::size_t unused = std::exchange(m_unused, m_insert(m_progress));
+    find_what_loops_hide();
+    if (!relabel.keep_if_better())
+      m_unused = unused;
   }
 
   void open_bores()
