@@ -162,6 +162,34 @@ void test_parts_with_points_on_edges(double spacing)
     test_part("ring with a conical bore" + with, extruded(cone, 1., 1.), 0);
 }
 
+// Turned by a unit quaternion.
+Points turned(Points points, unsigned int seed)
+{
+  Random random(seed);
+  double w = 0.;
+  Vector v(0, 0, 0);
+  do {
+    w = random.uniform(-1., 1.);
+    const double x = random.uniform(-1., 1.), y = random.uniform(-1., 1.), z = random.uniform(-1., 1.);
+    v = Vector(x, y, z);
+  } while (w * w + v.squared_length() < .01);
+  const double norm = std::sqrt(w * w + v.squared_length());
+  w /= norm;
+  v = v / norm;
+  for (Point& p : points) {
+    const Vector u = p - CGAL::ORIGIN, t = 2. * CGAL::cross_product(v, u);
+    p = p + w * t + CGAL::cross_product(v, t);
+  }
+  return points;
+}
+
+// The stars of a prism do not know of its other end: they would vote against walls, in some orientations only.
+void test_votes_in_prisms()
+{
+  const Points plate = extruded([](double z) { return plate_profile(z, .2); }, .6, .6);
+  test_part("plate with three holes, edges only, turned", turned(plate, 49), -4);
+}
+
 // Flat faces with points all over have no caps.
 void test_boxes_with_points_on_faces()
 {
@@ -184,6 +212,7 @@ int main()
     test_milled_parts(spacing);
     test_parts_with_points_on_edges(spacing);
   }
+  test_votes_in_prisms();
   test_boxes_with_points_on_faces();
   return result();
 }
