@@ -88,8 +88,7 @@ public:
     for (Point_index p = 0; p != m_points.size(); ++p) {
       if (component(p) == largest || !is_on_surface(p))
         continue;
-      cancellation_point(MICROSECONDS_PER_POINT);
-      const Point_index q = nearest_of_others(p, search);
+      const Point_index q = nearest_of_others(p, search, cancellation_point);
       if (q == NO_POINT)
         continue;
       m_near.push_back(p);
@@ -129,7 +128,8 @@ private:
   // Neighbors among which a point of another component is looked for: at first, at most, and from one to the next.
   static constexpr std::size_t FIRST_NEIGHBORS = 16, MAXIMUM_NEIGHBORS = 1024, NEIGHBORS_RATIO = 4;
 
-  static constexpr std::size_t MICROSECONDS_PER_POINT = 8;
+  // As they are found.
+  static constexpr std::size_t NEIGHBORS_PER_MICROSECOND = 2;
 
   double distance(Point_index p, Point_index q) const
   {
@@ -137,10 +137,12 @@ private:
   }
 
   // The nearest point that is near and belongs to another component, if there is one.
-  Point_index nearest_of_others(Point_index p, Nearest_search& search) const
+  template <typename CancellationPoint>
+  Point_index nearest_of_others(Point_index p, Nearest_search& search, CancellationPoint& cancellation_point) const
   {
     const double radius = m_longest_edges[component(p)];
     for (std::size_t size = FIRST_NEIGHBORS; size <= MAXIMUM_NEIGHBORS; size *= NEIGHBORS_RATIO) {
+      cancellation_point(size / NEIGHBORS_PER_MICROSECOND);
       const std::vector<Nearest_search::Neighbor>& nearest = search(p, size, radius * radius);
       for (const Nearest_search::Neighbor& n : nearest)
         if (component(n.second) != component(p) && are_near(p, n.second))
